@@ -4,10 +4,14 @@
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/read_tir.hpp>
 #include <kanexpr/tyres.hpp>
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
+
+#include <iostream>
+#include <string>
 
 namespace {
 
@@ -21,6 +25,8 @@ namespace car {
 
 #include <docs/guide/tyres/formula.cpp>
 
+#include <docs/guide/tyres/quantities.cpp>
+
 template <class... Tyres>
 struct with
     : kane_system<inertial<N>, coordinates<x, y, psi, front_angle, rear_angle>,
@@ -33,6 +39,14 @@ TEST(tyres, of_a_car) {
   expect_no_mistake<System>();
   expect_no_mistake<with<LaggingTyre, RearTyre>>();
   expect_no_mistake<with<FormulaTyre, RearTyre>>();
+}
+
+TEST(tyres, have_forces_and_slips_as_results) {
+  auto model = derive<System>();
+  for (const auto& each : {model.get<load>(), model.get<driving>(), model.get<side>(), model.get<aligning>(),
+                           model.get<slip>(), model.get<angle>(), model.get<camber>()})
+    EXPECT_EQ(each.rows, 1);
+  EXPECT_EQ(model.mistake(), "");
 }
 
 TEST(tyres, have_units) {
@@ -62,6 +76,11 @@ TEST(tyres, in_a_builder) {
   const auto wheel = b.rotated("Wheel", n, angle, b.along(n, 0, 1, 0));
   b.rigid_body("Rim", hub, wheel, b.number(1), b.inertia(wheel, 0.1, 0.2, 0.1));
 #include <docs/guide/tyres/builder.cpp>
+#include <docs/guide/tyres/builder_forces.cpp>
+  EXPECT_TRUE(side.is_zero()); // the wheel moves in its plane
+  testing::internal::CaptureStderr();
+#include <docs/guide/tyres/tir.cpp>
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "slick.tir cannot be read\n");
   EXPECT_EQ((b.check)().view(), "");
 }
 

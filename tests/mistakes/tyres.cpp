@@ -165,3 +165,30 @@ struct System
     : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, pneumatic_trail<dot(u_of<Arm>)>>>> {};
 void f() { use<System>(); }
 } // namespace n22
+
+struct Axle : offset<Axle, Arm, 0.1 * Arm::x> {};
+
+// expect: the tyre between Axle and Ground has a wheel whose center is a point; write its frame after the
+// expect: radius, as in thin_wheel<Center, axis, radius, Frame>
+namespace n23 {
+struct System : jointed<joints<Arm>, loads<tyre<thin_wheel<Axle, Arm::y, 0.3>, road, grip, weight, slow>>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: loads<...> lists wheel_load<50>, which is an argument of tyre<...>
+namespace n24 {
+struct System : jointed<joints<Arm>, loads<weight>> {};
+void f() { use<System>(); }
+} // namespace n24
+
+// expect: loads<...> lists flat_ground<...>, which is an argument of tyre<...>
+namespace n25 {
+struct System : jointed<joints<Arm>, loads<road>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: loads<...> lists thin_wheel<...>, which is an argument of tyre<...>
+namespace n26 {
+struct System : jointed<joints<Arm>, loads<rim>> {};
+void f() { use<System>(); }
+} // namespace n26

@@ -35,7 +35,7 @@ struct System : jointed<joints<Arm>, loads<rolls<round_wheel, rail>>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the tyre at Hub has a wheel with two frames
+// expect: the tyre between Hub and Ground has a wheel with two frames
 namespace n5 {
 using wheel = thin_wheel<Hub, Arm::y, 0.3, Arm, Ground>;
 struct System : jointed<joints<Arm>, loads<rolls<wheel, flat>>> {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/diagnostics/misplaced_type.hpp>
 #include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/operators.hpp>
 #include <kanexpr/describe/point.hpp>
@@ -36,6 +37,9 @@ constexpr void add_wheel(wheel_record& r, mechanics::rim_shape rim, const phrase
   r.frame = &frame_of<wheel_frame<Center, Frame...>>;
   r.axis = axis, r.radius = radius;
   if (sizeof...(Frame) > 1) r.mistake = "has a wheel with two frames";
+  if constexpr (sizeof...(Frame) == 0 && describe_kind<Center>() == point_out_of_place)
+    r.mistake = "has a wheel whose center is a point; write its frame after the radius, as in "
+                "thin_wheel<Center, axis, radius, Frame>";
 }
 
 /// From the center of a wheel to its lowest point above a plane. The radius of the tube is omitted for a thin
@@ -53,16 +57,19 @@ template <class Wheel, class Ground>
 constexpr wheel_record record_wheel() {
   using enum mechanics::rim_shape;
   wheel_record r;
-  if constexpr (requires { Wheel::add_to(r); })
+  if constexpr (requires { Wheel::add_to(r); }) {
     Wheel::add_to(r);
-  else
+  } else {
     r.mistake = "begins with neither thin_wheel<...>, toroidal_wheel<...> nor conical_wheel<...>";
-  if (!r.mistake.empty()) return r;
+    return r;
+  }
+  const std::string_view of_wheel = r.mistake;
   if constexpr (requires { Ground::lie_under(r); })
     Ground::lie_under(r);
   else
     r.mistake = "names no ground; after the wheel, write flat_ground<...>, uneven_ground<...> or "
                 "straight_rail<...>";
+  if (!of_wheel.empty()) r.mistake = of_wheel;
   if (!r.mistake.empty()) return r;
   const bool is_on_rail = r.ground == mechanics::ground_shape::rail;
   if (r.rim == conical && !is_on_rail)

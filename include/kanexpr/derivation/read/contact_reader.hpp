@@ -54,6 +54,11 @@ public:
       c.spinning.angular_velocity =
           scalar(r.spinning_rate, "the angular velocity of the spinning resistance of ");
     }
+    if (r.direction.tokens != nullptr) {
+      c.direction.unit =
+          read_direction(*this, r.direction, "the direction of the friction of ", c.direction.frame);
+      c.direction.ratio = scalar(r.ratio, "the ratio of the directional friction of ");
+    }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
     if (!reading_.mistake && c.spinning && c.between.frame == none)
@@ -111,6 +116,12 @@ constexpr value observe_contact(describe::load_quantity wanted, const mechanics:
   case describe::load_quantity::length:
   case describe::load_quantity::penetration:
   case describe::load_quantity::tension:
+  case describe::load_quantity::longitudinal_force:
+  case describe::load_quantity::lateral_force:
+  case describe::load_quantity::aligning_moment:
+  case describe::load_quantity::longitudinal_slip:
+  case describe::load_quantity::lateral_slip:
+  case describe::load_quantity::camber:
   case describe::load_quantity::lowest_point: break;
   }
   return {};

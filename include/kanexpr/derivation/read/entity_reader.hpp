@@ -258,6 +258,8 @@ private:
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (!check_kind("point"sv, r, whom)) return;
+    if (r.of_joint != nullptr && !is_listed(*r.of_joint))
+      return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam, r.is_at_whole_zero))
       return;
     if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;

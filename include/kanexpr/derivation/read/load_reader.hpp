@@ -76,9 +76,14 @@ public:
     const load_row& row = row_of(r);
     const bool acts_along_path =
         row.tension != nullptr && (r.what != load_word::friction || r.path != nullptr);
-    if (wanted == load_quantity::tension ? !acts_along_path : row.observe == nullptr)
-      return fail(wanted == load_quantity::tension ? ", which does not act along a pathway"
-                                                   : ", which is not a contact");
+    const bool is_tension = wanted == load_quantity::tension;
+    const bool is_observed = is_tension          ? acts_along_path
+                             : r.tyre != nullptr ? is_of_tyre(wanted) || wanted == load_quantity::normal_force
+                                                 : row.observe != nullptr && !is_of_tyre(wanted);
+    if (!is_observed)
+      return fail(is_tension           ? ", which does not act along a pathway"
+                  : is_of_tyre(wanted) ? ", which is not a tyre"
+                                       : ", which is not a contact");
     if (reading_.for_units) return unit_of_quantity(wanted, r);
     mechanics::loads alone;
     evaluate_load(r, alone);
@@ -96,6 +101,12 @@ private:
     case load_quantity::penetration: return "penetration_of";
     case load_quantity::tension: return "tension_of";
     case load_quantity::normal_force: return "normal_force_of";
+    case load_quantity::longitudinal_force: return "longitudinal_force_of";
+    case load_quantity::lateral_force: return "lateral_force_of";
+    case load_quantity::aligning_moment: return "aligning_moment_of";
+    case load_quantity::longitudinal_slip: return "longitudinal_slip_of";
+    case load_quantity::lateral_slip: return "lateral_slip_of";
+    case load_quantity::camber: return "sine_of_camber_of";
     case load_quantity::friction_force: return "friction_force_of";
     case load_quantity::contact_force:
     case load_quantity::contact_place: return "show_forces";
@@ -144,12 +155,10 @@ private:
   constexpr value unit_of_quantity(load_quantity wanted, const load_record& r) {
     const sentence whose = name_of(r), called({word_of(wanted), "<", r.word, ">"});
     if (is_vector(wanted))
-      return value::of(
-          vector_of_unit(reading_, word_of(wanted), whose.view(),
-                         wanted == load_quantity::contact_place ? units::si::meter : units::si::newton));
+      return value::of(vector_of_unit(reading_, word_of(wanted), whose.view(), describe::unit_of(wanted)));
     if (r.path != nullptr && !r.path->ends_at_points())
       return value::of(new_symbol(*m_.g, symbolic::symbol_kind::input, base::name(called.view())));
-    return value::of(symbol_of_unit(reading_, base::name(called.view()), units::si::newton));
+    return value::of(symbol_of_unit(reading_, base::name(called.view()), describe::unit_of(wanted)));
   }
 
   /// Whether a load depends on a motion that is not known while the model is read.

@@ -31,7 +31,7 @@ struct load_row {
   bool is_conservative = false;
   /// The tension of the only load in a list; null if it does not act along a pathway.
   expression (*tension)(const mechanics::loads&, mechanics::observed_motion&) = nullptr;
-  /// Another quantity of the only load in a list; null if it is not a contact.
+  /// Another quantity of the only load in a list; null if it is neither a contact nor a tyre.
   value (*observe)(describe::load_quantity, const mechanics::loads&, mechanics::observed_motion&) = nullptr;
 };
 
@@ -69,7 +69,7 @@ inline constexpr load_row load_table[]{
     {.word = load_word::friction, .read = read_friction, .tension = tension_along_path},
     {.word = load_word::contact, .read = read_contact, .observe = observe_contact},
     {.word = load_word::muscle, .read = read_muscle, .tension = tension_of_muscle},
-    {.word = load_word::tyre, .read = read_tyre},
+    {.word = load_word::tyre, .read = read_tyre, .observe = observe_tyre},
 };
 
 constexpr bool is_in_order(const load_row* rows, int size) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <kanexpr/derivation/read/load_parts.hpp>
+#include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/derivation/read/wheel_reader.hpp>
+#include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/tyre_record.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/loads/tyre.hpp>
 #include <kanexpr/mechanics/loads/tyre_law.hpp>
@@ -94,5 +97,28 @@ private:
 };
 
 constexpr void read_tyre(load_parts& by) { tyre_reader(by).read(*by.record.tyre); }
+
+/// A quantity of the only load, a tyre.
+constexpr value observe_tyre(describe::load_quantity wanted, const mechanics::loads& alone,
+                             mechanics::observed_motion& on) {
+  const mechanics::tyre t = alone.all<mechanics::tyre>()[0];
+  switch (wanted) {
+  case describe::load_quantity::normal_force: return value::of(t.slip(on).load);
+  case describe::load_quantity::longitudinal_force: return value::of(t.effort(on).forward);
+  case describe::load_quantity::lateral_force: return value::of(t.effort(on).lateral);
+  case describe::load_quantity::aligning_moment: return value::of(t.effort(on).aligning);
+  case describe::load_quantity::longitudinal_slip: return value::of(t.slip(on).forward);
+  case describe::load_quantity::lateral_slip: return value::of(-t.slip(on).lateral);
+  case describe::load_quantity::camber: return value::of(t.slip(on).camber);
+  case describe::load_quantity::length:
+  case describe::load_quantity::penetration:
+  case describe::load_quantity::tension:
+  case describe::load_quantity::friction_force:
+  case describe::load_quantity::contact_force:
+  case describe::load_quantity::contact_place:
+  case describe::load_quantity::lowest_point: break;
+  }
+  return {};
+}
 
 } // namespace kanexpr::derivation

@@ -83,7 +83,7 @@ KANEXPR_ENGINE void contact_builder::add_surface_contact(point_id point, point_i
 
 KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geometry& between,
                                                  const contact_data& data) {
-  mechanics::contact c{between, {}, data.friction, data.rolling, data.spinning};
+  mechanics::contact c{between, {}, data.friction, data.rolling, data.spinning, {}};
   if (data.rolling.lever.is_given() != data.rolling.angular_velocity.is_given()) {
     checks_.fail({"the rolling resistance of a contact needs a lever and an angular velocity"});
     return;
@@ -114,6 +114,11 @@ KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geomet
     if (e < 1)
       c.law.damping = approach.number(symbolic::real(mechanics::damping_of_restitution(e))) / approach;
     c.friction.take_slip_speed(approach / 100);
+  }
+  if (data.directional) {
+    if (!set_direction(c.direction.unit, c.direction.frame, data.directional->direction, "a contact")) return;
+    c.direction.ratio = as_nonzero(data.directional->ratio, "the ratio of the friction of a contact");
+    if (!checks_.owns("a contact", c.direction.ratio)) return;
   }
   const auto is_owned = [&](expression e) { return !e.is_given() || checks_.owns("a contact", e); };
   for (const expression e :

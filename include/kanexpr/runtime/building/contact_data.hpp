@@ -25,6 +25,12 @@ struct contact_data {
   /// Without a slip speed, Coulomb friction uses 1/100 of the approach speed of the restitution.
   mechanics::friction_law friction{};
   mechanics::rotation_resistance rolling{}, spinning{};
+  /// A direction along which the friction is multiplied by `ratio`, as `directional_friction<…>`.
+  struct different_friction {
+    vector direction{};
+    number_or_expression ratio;
+  };
+  std::optional<different_friction> directional{};
 };
 
 } // namespace kanexpr::runtime

@@ -2,10 +2,12 @@
 
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/loads/magic_formula.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/loads/tyre.hpp>
 #include <kanexpr/mechanics/loads/tyre_law.hpp>
 #include <kanexpr/mechanics/loads/tyre_model.hpp>
+#include <kanexpr/mechanics/loads/tyre_slip.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/building/tyre_builder.hpp>
 #include <kanexpr/runtime/building/tyre_data.hpp>
@@ -81,6 +83,26 @@ KANEXPR_ENGINE void tyre_builder::tyre(const wheel_on_ground& wheel, const tyre_
     t.relaxation.lateral = deflection(data.relaxation->lateral_deflection);
   }
   if (!checks_.mistake()) system_.loads.add(t);
+}
+
+KANEXPR_ENGINE tyre_forces tyre_builder::forces_of_tyre(int tyre, mechanics::known_motion& known) {
+  const auto& all = system_.loads.all<mechanics::tyre>();
+  const int tyres = all.size();
+  const bool is_known = known.skeleton_used().model == &m_;
+  if (tyre < 1 || tyre > tyres)
+    checks_.fail({"the forces of tyre ", base::counted(tyre).view(),
+                  " are requested, but the number of tyres is ", base::counted(tyres).view()});
+  else if (!is_known)
+    checks_.fail({"the forces of a tyre are requested for the motion of a different builder"});
+  if (tyre < 1 || tyre > tyres || !is_known) {
+    const expression none = m_.zero();
+    return {none, none, none, none, none, none, none};
+  }
+  mechanics::observed_motion on(known.moving());
+  const mechanics::tyre& of = all[tyre - 1];
+  const mechanics::tyre_slip slip = of.slip(on);
+  const mechanics::tyre_effort f = of.effort(on);
+  return {slip.load, f.forward, f.lateral, f.aligning, slip.forward, -slip.lateral, slip.camber};
 }
 
 KANEXPR_ENGINE int tyre_builder::deflection(expression state_variable) {

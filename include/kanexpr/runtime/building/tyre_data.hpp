@@ -57,4 +57,11 @@ struct tyre_data {
   }
 };
 
+/// The load, the forces and the slips of a tyre in a builder, with the signs of `lateral_force_of<Tyre>` and
+/// so on.
+struct tyre_forces {
+  symbolic::expression load{}, longitudinal_force{}, lateral_force{}, aligning_moment{};
+  symbolic::expression longitudinal_slip{}, lateral_slip{}, sine_of_camber{};
+};
+
 } // namespace kanexpr::runtime
