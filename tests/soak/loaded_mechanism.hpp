@@ -6,11 +6,11 @@
 
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
-#include <kanexpr/runtime/block_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/contact_data.hpp>
-#include <kanexpr/runtime/tyre_data.hpp>
-#include <kanexpr/runtime/wheel_data.hpp>
+#include <kanexpr/runtime/building/block_data.hpp>
+#include <kanexpr/runtime/building/contact_data.hpp>
+#include <kanexpr/runtime/building/tyre_data.hpp>
+#include <kanexpr/runtime/building/wheel_data.hpp>
 
 #include <cmath>
 #include <string>
