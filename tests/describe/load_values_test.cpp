@@ -186,18 +186,17 @@ TEST(values_of_loads, tyres_that_drive_or_do_nothing) {
             "the radial damping of the tyre between Ball and Ground is negative");
   EXPECT_EQ((mistake_of_tyre<grip, wheel_load<5>, relaxation<-0.3, 0.3>>()),
             "a relaxation length of the tyre between Ball and Ground is not positive");
-  EXPECT_EQ((mistake<tyre<toroidal_wheel<Ball, Ball::y, 0.3, -0.1>, flat, linear_tyre<1, 1>, standstill<1>>>()),
-            "the radius of the tube of the tyre between Ball and Ground is negative");
+  EXPECT_EQ(
+      (mistake<tyre<toroidal_wheel<Ball, Ball::y, 0.3, -0.1>, flat, linear_tyre<1, 1>, standstill<1>>>()),
+      "the radius of the tube of the tyre between Ball and Ground is negative");
 }
 
 struct Slow : slew_limit<Slow, q_of<Arm>, -1.0, 0.1> {};
 struct Valve : slew_limit<Valve, q_of<Arm>, 1.0, -0.1> {};
 struct Active : muscle_activation<Active, q_of<Arm>, 0.01, -0.1> {};
 struct Control : pid<Control, q_of<Arm>, 1, 2, 3, 0.1, -5, 5, -0.1> {};
-inline constexpr muscle_parameters bent{.peak_isometric_force = 500.0,
-                                        .optimal_fiber_length = 0.1,
-                                        .tendon_slack_length = 0.2,
-                                        .pennation = 1.6};
+inline constexpr muscle_parameters bent{
+    .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2, .pennation = 1.6};
 struct Bent : muscle<Bent, straight<P, H>, T, bent> {};
 inline constexpr muscle_parameters halved{.peak_isometric_force = 500.0,
                                           .optimal_fiber_length = 0.1,
@@ -238,6 +237,10 @@ TEST(values_of_loads, integers_that_are_zero) {
   EXPECT_EQ((mistake<bushing<Arm, Ball, 1 / 2, 1 / 2, 1 / 2, 1 / 2, 1 / 2, 1 / 2>>()),
             sentence("a stiffness of the bushing between Arm and Ball"));
   EXPECT_EQ((mistake<bushing<Arm, Ball, 0, 0, 0, 1, 1, 1>>()), "");
+  EXPECT_EQ((mistake<contact<on_floor, elastic<100, 3 / 2>, smoothed_over<0.001>>>()),
+            "the contact between Ball and Ground has elastic<k, 1>; 1 is also the value of 3/2 in C++; write "
+            "1.5, or omit the exponent 1");
+  EXPECT_EQ((mistake<contact<on_floor, elastic<100, 2>, smoothed_over<0.001>>>()), "");
   EXPECT_EQ((mistake<Halved>()), sentence("the pennation of the muscle Halved"));
 }
 

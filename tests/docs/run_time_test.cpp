@@ -118,12 +118,15 @@ TEST(builder, makes_a_sleigh) {
   b.kinematic_equation(b.dot(turned) - w);
   const auto ground = b.inertial_frame();
   const auto sleigh = b.rotated("Sleigh", ground, turned, b.along(ground, 0, 0, 1));
-  const auto blade = b.offset("Blade", b.origin("O"), b.along(ground, x, y, zero));
+  const auto o = b.origin("O"), blade = b.offset("Blade", o, b.along(ground, x, y, zero));
   const auto center = b.offset("G", blade, b.along(sleigh, 1, 0, 0));
   b.rigid_body("Body", center, sleigh, b.number(2), b.inertia(sleigh, zero, zero, b.number(1)));
 #include <docs/guide/builder/sleigh.cpp>
   EXPECT_EQ(constrained.mistake(), "");
   EXPECT_EQ(constrained.mass_matrix().rows, 2);
+#include <docs/guide/builder/tension.cpp>
+  EXPECT_EQ((b.check)().view(), "");
+  EXPECT_EQ(pull, 20.0 * (sqrt(x * x + y * y) - 0.1));
 }
 
 struct slider_crank : runtime::builder {

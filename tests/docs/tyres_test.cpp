@@ -2,6 +2,7 @@
 #include "docs/no_mistake.hpp"
 
 #include <kanexpr/kanexpr.hpp>
+#include <kanexpr/operating_point.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/tyres.hpp>
 
@@ -37,6 +38,15 @@ TEST(tyres, of_a_car) {
 TEST(tyres, have_units) {
   EXPECT_EQ(units_of<System>(mu), kanexpr::units::dimensionless);
   EXPECT_EQ((units_of<with<LaggingTyre>>(lateral_deflection_of<FrontHub>)), meter);
+}
+
+TEST(tyres, hold_a_car_in_a_turn) {
+#include <docs/guide/tyres/turn.cpp>
+  ASSERT_TRUE(turn) << turn.cause();
+  EXPECT_NEAR(turn.r[delta], 0.04988, 5e-6);
+  EXPECT_NEAR(turn.r[T], 131.5, 0.05);
+  EXPECT_NEAR(turn.x[v], -0.5684, 5e-5);
+  EXPECT_EQ(turn.freedom, 5);
 }
 
 } // namespace car

@@ -115,8 +115,15 @@ struct System : jointed<joints<Arm>, loads<rolls<wheel, flat>>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: contact_point<Self, Wheel, Ground> requires a thin_wheel<...> or toroidal_wheel<...> on
-// expect: flat_ground<...>
+// expect: contact_point<Self, Wheel, Ground> requires a thin_wheel<...>, toroidal_wheel<...> or
+// expect: conical_wheel<...>
 namespace n16 {
-struct Contact : contact_point<Contact, round_wheel, uneven_ground<Ground, Ground, 0.1 * surface::x>> {};
+struct Contact : contact_point<Contact, int, flat> {};
 } // namespace n16
+
+// expect: Contact has a conical_wheel<...> on other ground than straight_rail<...>
+namespace n17 {
+struct Contact : contact_point<Contact, conical_wheel<Arm, Arm::y, 0.4, 0.1>, flat> {};
+struct System : jointed<joints<Arm>, loads<force<Contact, Ground::x>>> {};
+void f() { use<System>(); }
+} // namespace n17

@@ -138,7 +138,9 @@ inline printed_text::value value_of_text(const std::string& text,
   std::istringstream lines(text);
   std::string wanted, line;
   std::getline(lines, wanted);
-  if (std::getline(lines, line)) EXPECT_EQ(line, "where");
+  if (std::getline(lines, line)) {
+    EXPECT_EQ(line, "where");
+  }
   while (std::getline(lines, line)) {
     const std::size_t equals = line.find(" = ");
     const std::string name = line.substr(2, equals - 2);

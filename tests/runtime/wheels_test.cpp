@@ -337,6 +337,21 @@ TEST(wheels, that_are_conical_touch_a_rail) {
   }
 }
 
+// A wheel that spins fast in the air, where the load is zero.
+TEST(wheels, in_the_air_have_finite_forces_in_single_precision) {
+  free_wheel b;
+  auto data = tyre_data::brush(0.9, 1e5);
+  data.radial = tyre_data::radial_spring{2e5, 0.1, 1e-3}, data.standstill = 0.1;
+  b.tyre(b.wheel_on_plane(b.wheel(0.3), b.o, b.along(b.n, 0, 0, 1)), data);
+  model m = derive(b);
+  auto rhs = m.function<float>(m.rhs());
+  auto jacobian = m.function<float>(m.get(mechanics::quantity::state_jacobian));
+  Eigen::VectorXf x = Eigen::VectorXf::Zero(16);
+  x[2] = 1, x[13] = 300;
+  EXPECT_TRUE(Eigen::VectorXf(rhs(x)).allFinite());
+  EXPECT_TRUE(Eigen::MatrixXf(jacobian(x)).allFinite());
+}
+
 /// What a builder says about a tyre.
 template <class Change>
 std::string mistake_of_tyre(const Change& change) {

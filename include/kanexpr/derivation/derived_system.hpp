@@ -25,9 +25,9 @@ namespace kanexpr::derivation {
 class derived_system {
   // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
   // declared later in the class
-  template <class Self, class Visit>
-  static constexpr void each_part(Self& self, Visit& visit) {
-    visit(self.system_, self.reader_, *self.equations_);
+  template <class Visit>
+  constexpr void each_part(Visit& visit) {
+    visit(system_, reader_, *equations_);
   }
 
 public:
@@ -41,8 +41,8 @@ public:
       : system_(graph_), reader_(from, system_) {
     equations_.emplace(system_, mechanics::equations::for_restore{});
     reader_.set_known_motion(equations_->known());
-    image_reader read(stored, graph_, system_.mechanism);
-    each_part(*this, read);
+    image_transfer read(stored, graph_, system_.mechanism);
+    each_part(read);
   }
   derived_system(const derived_system&) = delete;
   derived_system& operator=(const derived_system&) = delete;
@@ -74,9 +74,9 @@ public:
 
   /// Stores the derivation. Requires that there is no mistake and that `derive` was called.
   template <std::same_as<image> Image>
-  constexpr void write(Image& into) const {
-    image_writer write(into, graph_);
-    each_part(*this, write);
+  constexpr void write(Image& into) {
+    image_transfer write(into, graph_);
+    each_part(write);
   }
 
   constexpr const sentence& mistake() const {

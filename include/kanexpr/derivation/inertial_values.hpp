@@ -161,7 +161,7 @@ private:
     made.called.append(without_preposition(each.of));
     if (parameter >= 0) made.called.append(",");
   }
-  /// "the stiffness" for "the stiffness of the ", whose sentence goes on with the name of a load.
+  /// "the stiffness" for "the stiffness of the ", whose sentence continues with the name of a load.
   static constexpr std::string_view without_preposition(std::string_view of) {
     for (const std::string_view end : {" the ", " ", " between", " with", " of"})
       if (of.ends_with(end)) of.remove_suffix(end.size());

@@ -10,6 +10,7 @@
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <concepts>
 #include <string_view>
 #include <type_traits>
 
@@ -43,6 +44,15 @@ constexpr void add_to_contact(contact_record& r) {
     fits = Word::fits;
   }
   if (r.fits) r.fits = fits;
+}
+
+/// Whether a value is the integer 1, such as 3/2 in C++.
+template <class Written>
+constexpr bool is_whole_one(const Written& value) {
+  if constexpr (plain_number<Written> && std::integral<Written>)
+    return value == Written{1};
+  else
+    return false;
 }
 
 template <contact_word wanted, class... Words>
@@ -185,7 +195,8 @@ struct point_on_surface {
 };
 
 /// The elastic normal force k δⁿ at the penetration δ, as a word of a contact: `elastic<k, n>`. The exponent
-/// n is a number of at least 1, and 1 if it is omitted; 3/2 is that of Hertz.
+/// n is a number of at least 1, and 1 if it is omitted; 1.5 is that of Hertz. The integer 1 is a mistake,
+/// because it is also the value of 3/2 in C++.
 template <auto... stiffness_and_exponent>
 struct elastic {
   static constexpr auto contact_word = describe::contact_word::elastic;
@@ -196,6 +207,9 @@ struct elastic {
     r.exponent = sizeof...(stiffness_and_exponent) == 2
                      ? describe::given_phrases<stiffness_and_exponent...>[1]
                      : describe::phrase_of<describe::constant(1)>;
+    if constexpr (sizeof...(stiffness_and_exponent) == 2)
+      if (describe::is_whole_one(describe::one_of<1, stiffness_and_exponent...>()) && r.mistake.empty())
+        r.mistake = "has elastic<k, 1>; 1 is also the value of 3/2 in C++; write 1.5, or omit the exponent 1";
   }
 };
 

@@ -10,11 +10,13 @@ namespace describe {
 
 enum class load_quantity : unsigned char {
   length,
+  penetration, ///< of a wheel into the ground
   tension,
   normal_force,
   friction_force,
   contact_force, ///< the sum of the normal force and the friction, on the first body
   contact_place, ///< from the point of the first body to the contact
+  lowest_point,  ///< from the center of a wheel to its lowest point
 };
 
 /// Whether a quantity is a vector.
@@ -26,6 +28,12 @@ constexpr token of_load(load_quantity what, const load_record* load, bool is_of_
   t.load = load;
   t.is_of_one_file = is_of_one_file;
   return t;
+}
+
+/// Whether a quantity depends only on positions, so that it is known while a model is read.
+constexpr bool is_of_position(load_quantity what) {
+  return what == load_quantity::length || what == load_quantity::penetration ||
+         what == load_quantity::lowest_point;
 }
 
 /// A pathway in place of a load, of which only the length is of interest.

@@ -239,6 +239,7 @@ struct friction_record;
 struct contact_record;
 struct muscle_record;
 struct tyre_record;
+struct wheel_record;
 
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
@@ -272,10 +273,11 @@ struct load_record {
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
-  const friction_record* friction = nullptr;       ///< the law of a friction in a joint
-  const contact_record* contact = nullptr;         ///< null if it is not a contact
-  const muscle_record* muscle = nullptr;           ///< null if it is not a muscle
-  const tyre_record* tyre = nullptr;               ///< null if it is not a tyre
+  const friction_record* friction = nullptr; ///< the law of a friction in a joint
+  const contact_record* contact = nullptr;   ///< null if it is not a contact
+  const muscle_record* muscle = nullptr;     ///< null if it is not a muscle
+  const tyre_record* tyre = nullptr;         ///< null if it is not a tyre
+  const wheel_record* wheel = nullptr;       ///< of `contact_point` and `penetration_of`, in place of a load
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
   listing<positive_argument> positive{};           ///< the arguments of a motor that must be positive

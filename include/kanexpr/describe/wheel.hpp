@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/operators.hpp>
 #include <kanexpr/describe/point.hpp>
 #include <kanexpr/describe/record.hpp>
@@ -82,6 +83,31 @@ concept is_in_closed_form = requires {
 /// The record of a wheel and its ground.
 template <class Wheel, class Ground>
 inline constexpr wheel_record wheel_of = record_wheel<Wheel, Ground>();
+
+/// A wheel and its ground in place of a load.
+template <class Wheel, class Ground>
+inline constexpr load_record wheel_as_load{.what = load_word::none, .wheel = &wheel_of<Wheel, Ground>};
+
+template <class Wheel, class Ground>
+constexpr token of_wheel(load_quantity what) {
+  return of_load(what, &wheel_as_load<Wheel, Ground>,
+                 !is_known_to_all_files<Wheel> || !is_known_to_all_files<Ground>);
+}
+
+template <class Wheel>
+concept is_wheel = requires(wheel_record r) {
+  typename Wheel::center;
+  Wheel::add_to(r);
+};
+
+/// From the center of a wheel to its lowest point above any ground.
+template <class Wheel, class Ground>
+constexpr auto lowest_point() {
+  if constexpr (is_in_closed_form<Wheel, Ground>)
+    return Wheel::template to_lowest<Ground>;
+  else
+    return vector<1>{{of_wheel<Wheel, Ground>(load_quantity::lowest_point)}};
+}
 
 } // namespace describe
 
@@ -181,19 +207,25 @@ struct straight_rail {
   }
 };
 
-/// The lowest point of a thin or toroidal wheel on flat ground, as a material point of the wheel: `struct C :
-/// contact_point<C, thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` The wheel touches the ground
-/// if the position of this point along the normal is zero, and rolls without slip if its velocity is zero.
+/// The lowest point of a wheel, as a material point of the wheel: `struct C : contact_point<C,
+/// thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` If `penetration_of` the wheel is zero, it
+/// touches the ground there, and it rolls without slip if the velocity of this point is that of the ground.
 template <class Self, class Wheel, class Ground>
 struct contact_point {
-  static_assert(describe::is_in_closed_form<Wheel, Ground>,
-                "contact_point<Self, Wheel, Ground> requires a thin_wheel<...> or toroidal_wheel<...> on "
-                "flat_ground<...>");
+  static_assert(describe::is_wheel<Wheel>, "contact_point<Self, Wheel, Ground> requires a thin_wheel<...>, "
+                                           "toroidal_wheel<...> or conical_wheel<...>");
 };
 template <class Self, class Wheel, class Ground>
-  requires describe::is_in_closed_form<Wheel, Ground>
+  requires describe::is_wheel<Wheel>
 struct contact_point<Self, Wheel, Ground>
-    : offset<Self, typename Wheel::center, Wheel::template to_lowest<Ground>>,
+    : offset<Self, typename Wheel::center, describe::lowest_point<Wheel, Ground>()>,
       fixed_in<typename Wheel::frame> {};
+
+/// The distance by which an undeformed wheel overlaps the ground, in m; negative if the wheel is above:
+/// `configuration_constraints<penetration_of<toroidal_wheel<...>, uneven_ground<...>> == 0>`. It depends only
+/// on coordinates and parameters.
+template <class Wheel, class Ground>
+inline constexpr scalar<1> penetration_of{
+    {describe::of_wheel<Wheel, Ground>(describe::load_quantity::penetration)}};
 
 } // namespace kanexpr

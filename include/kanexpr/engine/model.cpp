@@ -8,6 +8,7 @@
 #include <kanexpr/runtime/building/flexible_body_builder.ipp>
 #include <kanexpr/runtime/building/frame_builder.ipp>
 #include <kanexpr/runtime/building/load_builder.ipp>
+#include <kanexpr/runtime/building/motion_builder.ipp>
 #include <kanexpr/runtime/building/pathway_builder.ipp>
 #include <kanexpr/runtime/building/point_builder.ipp>
 #include <kanexpr/runtime/building/scalar_builder.ipp>

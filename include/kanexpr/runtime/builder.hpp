@@ -14,6 +14,7 @@
 #include <kanexpr/runtime/building/flexible_body_builder.hpp>
 #include <kanexpr/runtime/building/frame_builder.hpp>
 #include <kanexpr/runtime/building/load_builder.hpp>
+#include <kanexpr/runtime/building/motion_builder.hpp>
 #include <kanexpr/runtime/building/pathway_builder.hpp>
 #include <kanexpr/runtime/building/point_builder.hpp>
 #include <kanexpr/runtime/building/scalar_builder.hpp>
@@ -73,6 +74,7 @@ class builder : private builder_core,
                 public contact_builder,
                 public wheel_builder,
                 public tyre_builder,
+                public motion_builder,
                 public constraint_builder {
 public:
   explicit builder(std::string_view inertial_frame);

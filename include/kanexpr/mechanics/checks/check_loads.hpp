@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_repeated_loads.hpp>
 #include <kanexpr/mechanics/checks/check_weights.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>

@@ -3,12 +3,12 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/units/unit_relations.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
-#include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 #include <kanexpr/units/unit_text.hpp>
 

@@ -226,7 +226,7 @@ KANEXPR_ENGINE dc_motor_states block_builder::dc_motor(std::string_view called, 
 
 KANEXPR_ENGINE muscle_states block_builder::muscle(std::string_view called, const pathway& along,
                                                    expression excitation, const muscle_data& data) {
-  muscle_states states{m_.zero(), {}};
+  muscle_states states{m_.zero(), {}, {}};
   mechanics::muscle made;
   made.called = called, made.along = along, made.formulation = data.formulation;
   expression* const values[]{&made.peak_force,       &made.optimal_length, &made.slack_length,
@@ -244,7 +244,7 @@ KANEXPR_ENGINE muscle_states block_builder::muscle(std::string_view called, cons
   const sentence whose({"the muscle ", called}), value({"a parameter of the muscle ", called});
   for (std::size_t i = 0; i < std::size(given); ++i)
     terms.push(*values[i] = as_nonzero(*given[i], value.view()));
-  if (!checks_.is_new("muscles", called, system_.loads.muscles)) return states;
+  if (!checks_.is_new("muscles", called, system_.loads.all<mechanics::muscle>())) return states;
   if (!checks_.owns_path_load(whose.view(), along, terms)) return states;
   states.activation =
       data.has_activation_dynamics
@@ -255,7 +255,8 @@ KANEXPR_ENGINE muscle_states block_builder::muscle(std::string_view called, cons
         state_of_block(data.formulation == muscle_formulation::tendon_force ? "F" : "l", called);
   made.activation = states.activation, made.tendon_state = states.tendon_state;
   if (has_mistake()) return states;
-  system_.loads.muscles.push(made);
+  system_.loads.add(made);
+  states.load = made;
   if (made.tendon_state.is_given())
     system_.loads.state_rates.push({m_.speeds.find(made.tendon_state), {}, {}});
   return states;

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/loads/muscle_equilibrium.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
 #include <kanexpr/runtime/building/number_or_expression.hpp>
+#include <kanexpr/runtime/building/pulling_load.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <optional>
@@ -42,6 +43,7 @@ using muscle_data =
 struct muscle_states {
   symbolic::expression activation{};   ///< the excitation if there are no activation dynamics
   symbolic::expression tendon_state{}; ///< not given with a rigid tendon
+  pulling_load load{};                 ///< for `tension_of`
 };
 
 } // namespace kanexpr::runtime

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/building/builder_checks.hpp>
 #include <kanexpr/runtime/building/number_or_expression.hpp>
@@ -51,6 +52,9 @@ protected:
   bool owns_wheel(std::string_view whose, const mechanics::wheel_on_ground& wheel);
   /// Sets a unit vector that is fixed in a frame, and this frame.
   bool set_direction(mechanics::components& unit, int& frame, const vector& given, std::string_view whose);
+
+  /// Whether a motion is that of this builder; otherwise reports that something is requested for it.
+  bool is_own(const mechanics::known_motion& known, std::string_view requested);
 
   bool has_mistake() const { return static_cast<bool>(checks_.mistake()); }
   std::string_view name_of(frame_id f) const { return m_.frames[place(f)].called.view(); }

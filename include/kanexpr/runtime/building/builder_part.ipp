@@ -39,6 +39,11 @@ KANEXPR_ENGINE bool builder_part::is_new_body(std::string_view called) {
   return checks_.is_new("bodies", called, m_.bodies) && checks_.is_new("bodies", called, m_.flexible_bodies);
 }
 
+KANEXPR_ENGINE bool builder_part::is_own(const mechanics::known_motion& known, std::string_view requested) {
+  return known.skeleton_used().model == &m_ ||
+         checks_.fail({requested, " is requested for the motion of a different builder"});
+}
+
 KANEXPR_ENGINE bool builder_part::owns_wheel(std::string_view whose,
                                              const mechanics::wheel_on_ground& wheel) {
   if (!wheel.radius.is_given()) return checks_.fail({whose, " is on a wheel that has no radius"});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/runtime/building/builder_part.hpp>
+#include <kanexpr/runtime/building/point_builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <concepts>
@@ -26,6 +27,22 @@ public:
     return {v, {directions...}};
   }
 
+  /// Makes two points coincide along directions, which closes a loop:
+  /// `b.configuration_constraint(b.coincident(P, Q, x, y))`.
+  template <std::same_as<vector>... Directions>
+  zero_components coincident(point_id point, point_id other, const Directions&... directions) {
+    return zero_along(points_.position_of(point, other), directions...);
+  }
+  /// Keeps a direction parallel to an axis of a frame, numbered from 0; together with `coincident`, it closes
+  /// a loop with a pin about this axis.
+  zero_components parallel(const vector& direction, frame_id frame, int axis);
+  /// Keeps the axes of two frames aligned, as `same_axes<A, B>`; together with `coincident`, it closes a loop
+  /// with a weld.
+  zero_components same_axes(frame_id frame, frame_id other);
+  /// Keeps two points at a fixed distance, like a massless rod: an expression for `configuration_constraint`,
+  /// whose multiplier times −2 l is the tension.
+  expression rod_of_length(point_id point, point_id other, expression length);
+
   /// An expression in the coordinates that must vanish.
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
@@ -48,11 +65,14 @@ public:
   }
 
 protected:
-  explicit constraint_builder(builder_core& core) : builder_part(core) {}
+  constraint_builder(builder_core& core, point_builder& points) : builder_part(core), points_(points) {}
   ~constraint_builder() = default;
 
 private:
+  vector axis_of(frame_id frame, int index) const;
   bool is_valid_direction(const vector& v, const vector& direction, std::string_view whose);
+
+  point_builder& points_;
 };
 
 } // namespace kanexpr::runtime

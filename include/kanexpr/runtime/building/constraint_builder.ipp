@@ -14,6 +14,42 @@
 
 namespace kanexpr::runtime {
 
+KANEXPR_ENGINE zero_components constraint_builder::parallel(const vector& direction, frame_id frame,
+                                                            int axis) {
+  if (axis < 0 || axis > 2) {
+    checks_.fail({"expected an axis of parallel from 0 to 2, got ", base::counted(axis).view()});
+    return {};
+  }
+  if (!checks_.owns("the argument of parallel", frame, direction)) return {};
+  return {direction, {axis_of(frame, (axis + 1) % 3), axis_of(frame, (axis + 2) % 3)}};
+}
+
+KANEXPR_ENGINE zero_components constraint_builder::same_axes(frame_id frame, frame_id other) {
+  if (!checks_.owns("the argument of same_axes", frame, other)) return {};
+  vector turned;
+  for (int i = 0; i < 3; ++i) {
+    const expression sine = derivation::dot(m_, axis_of(frame, i), axis_of(other, (i + 1) % 3));
+    turned.add(sine * axis_of(other, i));
+  }
+  return {turned, {axis_of(other, 0), axis_of(other, 1), axis_of(other, 2)}};
+}
+
+KANEXPR_ENGINE vector constraint_builder::axis_of(frame_id frame, int index) const {
+  mechanics::components unit(*m_.g);
+  unit[index] = m_.one();
+  vector v;
+  v.add(place(frame), unit);
+  return v;
+}
+
+KANEXPR_ENGINE expression constraint_builder::rod_of_length(point_id point, point_id other,
+                                                            expression length) {
+  if (!checks_.owns("the length of a rod", length)) return m_.zero();
+  const vector between = points_.position_of(point, other);
+  const expression square = derivation::dot(m_, between, between);
+  return square - length * length;
+}
+
 KANEXPR_ENGINE void constraint_builder::configuration_constraint(expression vanishes) {
   if (checks_.owns("a configuration constraint", vanishes))
     system_.constraints.on_configuration.push(vanishes);

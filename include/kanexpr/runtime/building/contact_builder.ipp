@@ -129,30 +129,29 @@ KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geomet
   } else if (c.friction.needs_slip_speed()) {
     checks_.fail({"the friction of a contact has no slip speed"});
   } else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius)) {
-    system_.loads.contacts.push(c);
+    system_.loads.add(c);
     mechanics::add_bristles(m_, system_.loads, c.friction);
   }
 }
 
 KANEXPR_ENGINE bool contact_builder::has_contact(int numbered, const mechanics::known_motion& known) {
-  if (numbered < 1 || numbered > system_.loads.contacts.size())
+  const int contacts = system_.loads.all<mechanics::contact>().size();
+  if (numbered < 1 || numbered > contacts)
     return checks_.fail({"the force of contact ", base::counted(numbered).view(),
-                         " is requested, but the number of contacts is ",
-                         base::counted(system_.loads.contacts.size()).view()});
-  return known.skeleton_used().model == &m_ ||
-         checks_.fail({"the force of a contact is requested for the motion of a different builder"});
+                         " is requested, but the number of contacts is ", base::counted(contacts).view()});
+  return is_own(known, "the force of a contact");
 }
 
 KANEXPR_ENGINE expression contact_builder::normal_force_of(int contact, mechanics::known_motion& known) {
   if (!has_contact(contact, known)) return m_.zero();
   mechanics::observed_motion on(known.moving());
-  return system_.loads.contacts[contact - 1].normal_force(on);
+  return system_.loads.all<mechanics::contact>()[contact - 1].normal_force(on);
 }
 
 KANEXPR_ENGINE vector contact_builder::friction_force_of(int contact, mechanics::known_motion& known) {
   if (!has_contact(contact, known)) return {};
   mechanics::observed_motion on(known.moving());
-  return system_.loads.contacts[contact - 1].friction_force(on);
+  return system_.loads.all<mechanics::contact>()[contact - 1].friction_force(on);
 }
 
 } // namespace kanexpr::runtime

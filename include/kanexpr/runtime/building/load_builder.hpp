@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/runtime/building/builder_part.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
+#include <kanexpr/runtime/building/pulling_load.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <vector>
@@ -14,6 +17,8 @@ public:
   void torque(frame_id on, const vector& value);
   /// A force on the point `at` and the opposite force on `other`.
   void force_between(point_id at, point_id other, const vector& value);
+  /// A force −c |v| v, where v is the velocity of the point.
+  void drag(point_id at, const number_or_expression& coefficient, mechanics::known_motion& known);
   /// A torque on the frame `on` and the opposite torque on `other`.
   void torque_between(frame_id on, frame_id other, const vector& value);
   /// The gravitational acceleration of all bodies.
@@ -21,10 +26,12 @@ public:
   /// A potential energy as a function of coordinates, parameters, time and inputs.
   void potential_energy(expression energy);
   /// A straight spring that pulls two points together with the force stiffness·(distance − natural length).
-  void spring(point_id at, point_id other, expression stiffness, expression natural_length);
-  void spring(point_id at, point_id other, expression stiffness) { spring(at, other, stiffness, m_.zero()); }
+  pulling_load spring(point_id at, point_id other, expression stiffness, expression natural_length);
+  pulling_load spring(point_id at, point_id other, expression stiffness) {
+    return spring(at, other, stiffness, m_.zero());
+  }
   /// A damper that pulls two points together with the force damping·(rate of change of their distance).
-  void damper(point_id at, point_id other, expression damping);
+  pulling_load damper(point_id at, point_id other, expression damping);
   /// A torsional spring that returns an angle to its rest position with the torque stiffness·(angle − rest).
   void torsional_spring(expression angle, expression stiffness, expression rest);
   void torsional_spring(expression angle, expression stiffness) {

@@ -9,6 +9,8 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
+#include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/building/load_builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -47,15 +49,31 @@ KANEXPR_ENGINE void load_builder::potential_energy(expression energy) {
   system_.loads.potential_energies.push({energy});
 }
 
-KANEXPR_ENGINE void load_builder::spring(point_id at, point_id other, expression stiffness,
-                                         expression natural_length) {
-  if (checks_.owns("a spring", at, other, stiffness, natural_length))
-    mechanics::add_spring(system_.loads.spring_dampers, place(at), place(other), stiffness, natural_length);
+KANEXPR_ENGINE void load_builder::drag(point_id at, const number_or_expression& coefficient,
+                                       mechanics::known_motion& known) {
+  if (coefficient.is_whole_zero()) {
+    checks_.fail_integer_zero("the coefficient of a drag is 0");
+    return;
+  }
+  const expression c = as_expression(coefficient);
+  if (!is_own(known, "a drag") || !checks_.owns("a drag", at, c)) return;
+  const vector v = mechanics::velocity_of_point(known.moving(), place(at));
+  const expression speed = sqrt(derivation::dot(m_, v, v));
+  const expression scale = -(c * speed);
+  system_.loads.forces.push({place(at), scale * v});
 }
 
-KANEXPR_ENGINE void load_builder::damper(point_id at, point_id other, expression damping) {
-  if (checks_.owns("a damper", at, other, damping))
-    mechanics::add_damper(system_.loads.spring_dampers, place(at), place(other), damping);
+KANEXPR_ENGINE pulling_load load_builder::spring(point_id at, point_id other, expression stiffness,
+                                                 expression natural_length) {
+  if (!checks_.owns("a spring", at, other, stiffness, natural_length)) return {};
+  mechanics::add_spring(system_.loads.spring_dampers, place(at), place(other), stiffness, natural_length);
+  return system_.loads.spring_dampers.back();
+}
+
+KANEXPR_ENGINE pulling_load load_builder::damper(point_id at, point_id other, expression damping) {
+  if (!checks_.owns("a damper", at, other, damping)) return {};
+  mechanics::add_damper(system_.loads.spring_dampers, place(at), place(other), damping);
+  return mechanics::damper_alone(place(at), place(other), damping);
 }
 
 KANEXPR_ENGINE void load_builder::torsional_spring(expression angle, expression stiffness, expression rest) {
@@ -86,7 +104,7 @@ KANEXPR_ENGINE void load_builder::bushing(frame_id on, point_id at, frame_id bas
   b.frame = place(on), b.against = place(base), b.place = place(at), b.base = place(base_point);
   for (const expression& k : stiffnesses) b.stiffness.push(k);
   for (std::size_t i = 0; i < 6; ++i) b.damping.push(dampings.empty() ? m_.zero() : dampings[i]);
-  if (checks_.owns("a bushing", b.stiffness, b.damping)) system_.loads.bushings.push(b);
+  if (checks_.owns("a bushing", b.stiffness, b.damping)) system_.loads.add(b);
 }
 
 } // namespace kanexpr::runtime

@@ -3,7 +3,9 @@
 #include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/runtime/building/builder_part.hpp>
+#include <kanexpr/runtime/building/pulling_load.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <vector>
@@ -41,33 +43,43 @@ public:
   /// The length of a pathway.
   expression length_of(const pathway& along);
 
-  void force_along(const pathway& along, expression tension);
+  pulling_load force_along(const pathway& along, expression tension);
   /// A spring with the tension stiffness·(length − natural length).
-  void linear_spring(const pathway& along, expression stiffness, expression natural_length);
-  void linear_spring(const pathway& along, expression stiffness) {
-    linear_spring(along, stiffness, m_.zero());
+  pulling_load linear_spring(const pathway& along, expression stiffness, expression natural_length);
+  pulling_load linear_spring(const pathway& along, expression stiffness) {
+    return linear_spring(along, stiffness, m_.zero());
   }
   /// A spring with the tension k x + k₃ x³, where x is the length minus the natural length.
-  void cubic_spring(const pathway& along, expression k, expression k3, expression natural_length);
-  void cubic_spring(const pathway& along, expression k, expression k3) {
-    cubic_spring(along, k, k3, m_.zero());
+  pulling_load cubic_spring(const pathway& along, expression k, expression k3, expression natural_length);
+  pulling_load cubic_spring(const pathway& along, expression k, expression k3) {
+    return cubic_spring(along, k, k3, m_.zero());
   }
-  void linear_damper(const pathway& along, expression damping);
+  pulling_load linear_damper(const pathway& along, expression damping);
   /// Friction against the rate of the length.
-  void friction_along(const pathway& along, expression normal_force, const mechanics::friction_law& law);
+  pulling_load friction_along(const pathway& along, expression normal_force,
+                              const mechanics::friction_law& law);
   /// Stops at a least and at a greatest length, as `stop<Path, …>`.
-  void stop(const pathway& along, expression least, expression greatest, expression stiffness,
-            expression damping) {
-    stop(along, least, greatest, stiffness, damping, mechanics::default_width_of_stop(least, greatest));
+  pulling_load stop(const pathway& along, expression least, expression greatest, expression stiffness,
+                    expression damping) {
+    return stop(along, least, greatest, stiffness, damping,
+                mechanics::default_width_of_stop(least, greatest));
   }
-  void stop(const pathway& along, expression least, expression greatest, expression stiffness,
-            expression damping, expression width);
+  pulling_load stop(const pathway& along, expression least, expression greatest, expression stiffness,
+                    expression damping, expression width);
+
+  /// The tension of a load that one of these functions, `spring`, `damper` or `muscle` returned; it is
+  /// positive if the load pulls the ends together. If the length is an angle, it is a torque.
+  expression tension_of(const pulling_load& load, mechanics::known_motion& known);
 
 protected:
   explicit pathway_builder(builder_core& core) : builder_part(core) {}
   ~pathway_builder() = default;
 
 private:
+  bool owns_load(const mechanics::spring_damper& load);
+  bool owns_load(const mechanics::path_load& load);
+  bool owns_load(const mechanics::muscle& load);
+  pulling_load add_spring(const pathway& along, expression k, expression k3, expression natural_length);
   /// A pathway around a surface of revolution, or around a sphere if the axis is zero.
   pathway around_surface(mechanics::pathway_form form, frame_id in, point_id center, const vector& axis,
                          expression size, end_of_path first, end_of_path last, wrapping sense);

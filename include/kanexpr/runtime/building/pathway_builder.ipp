@@ -4,15 +4,19 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
 #include <kanexpr/mechanics/loads/bushing.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/runtime/building/pathway_builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace kanexpr::runtime {
@@ -78,30 +82,42 @@ KANEXPR_ENGINE expression pathway_builder::length_of(const pathway& along) {
   return has_mistake() ? m_.zero() : along.length_in(m_);
 }
 
-KANEXPR_ENGINE void pathway_builder::force_along(const pathway& along, expression tension) {
-  if (checks_.owns_path_load("a force along a pathway", along, {tension}))
-    mechanics::add_force_along(system_.loads, along, tension);
+KANEXPR_ENGINE pulling_load pathway_builder::force_along(const pathway& along, expression tension) {
+  if (!checks_.owns_path_load("a force along a pathway", along, {tension})) return {};
+  mechanics::add_force_along(system_.loads, along, tension);
+  return mechanics::load_in<mechanics::path_load>(system_.loads.elements.back());
 }
 
-KANEXPR_ENGINE void pathway_builder::linear_spring(const pathway& along, expression stiffness,
-                                                   expression natural_length) {
-  if (checks_.owns_path_load("a linear spring", along, {stiffness, natural_length}))
-    mechanics::add_spring_along(system_.loads, along, stiffness, m_.zero(), natural_length);
+/// The last spring along a pathway, which is straight if it is among those between two points.
+KANEXPR_ENGINE pulling_load pathway_builder::add_spring(const pathway& along, expression k, expression k3,
+                                                        expression natural_length) {
+  mechanics::add_spring_along(system_.loads, along, k, k3, natural_length);
+  if (mechanics::is_straight(along) && k3.is_zero()) return system_.loads.spring_dampers.back();
+  return mechanics::load_in<mechanics::path_load>(system_.loads.elements.back());
 }
 
-KANEXPR_ENGINE void pathway_builder::cubic_spring(const pathway& along, expression k, expression k3,
-                                                  expression natural_length) {
-  if (checks_.owns_path_load("a cubic spring", along, {k, k3, natural_length}))
-    mechanics::add_spring_along(system_.loads, along, k, k3, natural_length);
+KANEXPR_ENGINE pulling_load pathway_builder::linear_spring(const pathway& along, expression stiffness,
+                                                           expression natural_length) {
+  if (!checks_.owns_path_load("a linear spring", along, {stiffness, natural_length})) return {};
+  return add_spring(along, stiffness, m_.zero(), natural_length);
 }
 
-KANEXPR_ENGINE void pathway_builder::linear_damper(const pathway& along, expression damping) {
-  if (checks_.owns_path_load("a linear damper", along, {damping}))
-    mechanics::add_damper_along(system_.loads, along, damping);
+KANEXPR_ENGINE pulling_load pathway_builder::cubic_spring(const pathway& along, expression k, expression k3,
+                                                          expression natural_length) {
+  if (!checks_.owns_path_load("a cubic spring", along, {k, k3, natural_length})) return {};
+  return add_spring(along, k, k3, natural_length);
 }
 
-KANEXPR_ENGINE void pathway_builder::friction_along(const pathway& along, expression normal_force,
-                                                    const mechanics::friction_law& law) {
+KANEXPR_ENGINE pulling_load pathway_builder::linear_damper(const pathway& along, expression damping) {
+  if (!checks_.owns_path_load("a linear damper", along, {damping})) return {};
+  mechanics::add_damper_along(system_.loads, along, damping);
+  if (!mechanics::is_straight(along))
+    return mechanics::load_in<mechanics::path_load>(system_.loads.elements.back());
+  return mechanics::damper_alone(along.points[0], along.points[1], damping);
+}
+
+KANEXPR_ENGINE pulling_load pathway_builder::friction_along(const pathway& along, expression normal_force,
+                                                            const mechanics::friction_law& law) {
   base::sequence<expression> terms{normal_force};
   for (const expression& e : {law.sliding, law.sticking, law.slip_speed, law.viscous, law.bristles.stiffness,
                               law.bristles.damping, law.bristles.stribeck_speed})
@@ -119,13 +135,47 @@ KANEXPR_ENGINE void pathway_builder::friction_along(const pathway& along, expres
   else if (checks_.owns_path_load("a friction along a pathway", along, terms)) {
     mechanics::add_friction_along(system_.loads, along, normal_force, law);
     mechanics::add_bristles(m_, system_.loads, law);
+    return mechanics::load_in<mechanics::path_load>(system_.loads.elements.back());
   }
+  return {};
 }
 
-KANEXPR_ENGINE void pathway_builder::stop(const pathway& along, expression least, expression greatest,
-                                          expression stiffness, expression damping, expression width) {
-  if (checks_.owns_path_load("a stop", along, {least, greatest, stiffness, damping, width}))
-    mechanics::add_stop(system_.loads, along, {least, greatest, stiffness, damping, width});
+KANEXPR_ENGINE pulling_load pathway_builder::stop(const pathway& along, expression least, expression greatest,
+                                                  expression stiffness, expression damping,
+                                                  expression width) {
+  if (!checks_.owns_path_load("a stop", along, {least, greatest, stiffness, damping, width})) return {};
+  mechanics::add_stop(system_.loads, along, {least, greatest, stiffness, damping, width});
+  return mechanics::load_in<mechanics::path_load>(system_.loads.elements.back());
+}
+
+KANEXPR_ENGINE bool pathway_builder::owns_load(const mechanics::spring_damper& load) {
+  return checks_.owns("the load of a tension", point_id{load.point}, point_id{load.against}, load.stiffness,
+                      load.damping);
+}
+
+KANEXPR_ENGINE bool pathway_builder::owns_load(const mechanics::path_load& load) {
+  return checks_.owns("the load of a tension", load.along, load.terms);
+}
+
+KANEXPR_ENGINE bool pathway_builder::owns_load(const mechanics::muscle& load) {
+  return checks_.owns("the load of a tension", load.along, load.activation);
+}
+
+KANEXPR_ENGINE expression pathway_builder::tension_of(const pulling_load& load,
+                                                      mechanics::known_motion& known) {
+  if (!is_own(known, "the tension of a load")) return m_.zero();
+  return std::visit(
+      [&](const auto& given) {
+        if constexpr (std::is_same_v<decltype(given), const std::monostate&>) {
+          checks_.fail({"the tension of a load is requested that was not added to the builder"});
+          return m_.zero();
+        } else {
+          if (!owns_load(given)) return m_.zero();
+          mechanics::observed_motion on(known.moving());
+          return given.tension(on);
+        }
+      },
+      load);
 }
 
 } // namespace kanexpr::runtime

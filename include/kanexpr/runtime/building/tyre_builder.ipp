@@ -80,7 +80,7 @@ KANEXPR_ENGINE void tyre_builder::tyre(const wheel_on_ground& wheel, const tyre_
     t.relaxation.forward = deflection(data.relaxation->forward_deflection);
     t.relaxation.lateral = deflection(data.relaxation->lateral_deflection);
   }
-  if (!checks_.mistake()) system_.loads.tyres.push(t);
+  if (!checks_.mistake()) system_.loads.add(t);
 }
 
 KANEXPR_ENGINE int tyre_builder::deflection(expression state_variable) {

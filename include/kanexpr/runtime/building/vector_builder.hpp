@@ -13,6 +13,14 @@ public:
   vector along(frame_id axes, const number_or_expression& x, const number_or_expression& y,
                const number_or_expression& z);
   expression dot(const vector& a, const vector& b);
+  vector dot(const dyadic& d, const vector& v);
+  vector cross(const vector& a, const vector& b);
+  dyadic outer(const vector& a, const vector& b);
+  expression magnitude(const vector& v);
+  /// The unit vector along a vector, which is NaN if that is zero.
+  vector normalized(const vector& v);
+  /// The same vector, expressed by its components in the axes of a frame.
+  vector in_axes_of(frame_id axes, const vector& v);
 
   /// An inertia dyadic with the given entries in the axes of a frame; the products of inertia have the sign
   /// of Σ m (r·r E − r r).

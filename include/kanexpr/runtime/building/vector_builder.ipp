@@ -21,6 +21,37 @@ KANEXPR_ENGINE expression vector_builder::dot(const vector& a, const vector& b) 
   return checks_.owns("a dot product", a, b) ? derivation::dot(m_, a, b) : m_.zero();
 }
 
+KANEXPR_ENGINE vector vector_builder::dot(const dyadic& d, const vector& v) {
+  return checks_.owns("a dot product", d, v) ? derivation::dot(m_, d, v) : vector{};
+}
+
+KANEXPR_ENGINE vector vector_builder::cross(const vector& a, const vector& b) {
+  return checks_.owns("a cross product", a, b) ? derivation::cross(m_, a, b) : vector{};
+}
+
+KANEXPR_ENGINE dyadic vector_builder::outer(const vector& a, const vector& b) {
+  return checks_.owns("an outer product", a, b) ? derivation::outer(m_, a, b) : dyadic{};
+}
+
+KANEXPR_ENGINE expression vector_builder::magnitude(const vector& v) {
+  return checks_.owns("a magnitude", v) ? sqrt(derivation::dot(m_, v, v)) : m_.zero();
+}
+
+KANEXPR_ENGINE vector vector_builder::normalized(const vector& v) {
+  if (!checks_.owns("a unit vector", v)) return {};
+  if (v.is_zero()) {
+    checks_.fail({"a vector of zero length is normalized"});
+    return {};
+  }
+  return derivation::normalized(m_, v);
+}
+
+KANEXPR_ENGINE vector vector_builder::in_axes_of(frame_id axes, const vector& v) {
+  vector same;
+  if (checks_.owns("a vector", axes, v)) same.add(place(axes), mechanics::express(m_, v, place(axes)));
+  return same;
+}
+
 KANEXPR_ENGINE dyadic vector_builder::inertia(frame_id axes, const number_or_expression& xx,
                                               const number_or_expression& yy, const number_or_expression& zz,
                                               const number_or_expression& xy, const number_or_expression& yz,

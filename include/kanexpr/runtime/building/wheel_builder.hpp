@@ -32,8 +32,10 @@ public:
   }
   /// A conical wheel on a straight rail.
   wheel_on_ground wheel_on_rail(const wheel_data& wheel, const rail_data& rail);
-  /// The lowest point of a wheel, as the material point of the wheel at the contact: it rolls without slip if
-  /// the velocity of this point is zero.
+  /// The distance by which the undeformed wheel overlaps the ground; negative if the wheel is above.
+  expression penetration_of(const wheel_on_ground& wheel);
+  /// The lowest point of a wheel, as a material point of the wheel. If `penetration_of` the wheel is zero, it
+  /// touches the ground there, and it rolls without slip if the velocity of this point is that of the ground.
   point_id contact_point(std::string_view called, const wheel_on_ground& wheel);
 
 protected:

@@ -54,6 +54,11 @@ KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_rail(const wheel_data& wh
   return w;
 }
 
+KANEXPR_ENGINE expression wheel_builder::penetration_of(const wheel_on_ground& wheel) {
+  if (has_mistake() || !owns_wheel("the penetration of a wheel", wheel)) return m_.zero();
+  return wheel.contact(m_).penetration;
+}
+
 KANEXPR_ENGINE point_id wheel_builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
   if (has_mistake() || !owns_wheel(called, wheel)) return {};
   vector down;

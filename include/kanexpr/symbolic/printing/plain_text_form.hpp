@@ -154,5 +154,6 @@ KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before, std::
   return printing::write_within<printing::plain_text_form>(longest, m.entries[0].owner(), nodes_of(m.entries),
                                                            compose);
 }
+KANEXPR_ENGINE std::string print(const matrix& m, std::size_t longest) { return print(m, {}, longest); }
 
 } // namespace kanexpr::symbolic

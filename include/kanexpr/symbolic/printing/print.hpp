@@ -17,10 +17,9 @@ namespace kanexpr::symbolic {
 /// with names for its parts that occur more than once, or that are long. The definitions of these parts
 /// follow, each after those that it refers to:
 ///
-///     z2*cos(q1) - g*z2
+///     c/z1 + u1*z1
 ///     where
-///       z1 = l*sin(q1) + b*sin(q1 + q2)
-///       z2 = m*z1^2 - u1*z1
+///       z1 = a*cos(q1) + b*sin(q1 + q2)
 ///
 /// No symbol has the same name as a part.
 KANEXPR_ENGINE std::string print(const graph& g, int id, std::size_t longest = longest_text);
@@ -37,6 +36,7 @@ KANEXPR_ENGINE text_with_parts print_each(const sequence<expression>& all,
 /// The entries of a matrix with more than `longest` characters share their parts.
 KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before = {},
                                  std::size_t longest = longest_text);
+KANEXPR_ENGINE std::string print(const matrix& m, std::size_t longest);
 
 } // namespace kanexpr::symbolic
 
