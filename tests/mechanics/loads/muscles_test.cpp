@@ -232,7 +232,7 @@ TEST(muscles, report_mistakes) {
               for (int i = 0; i < 2; ++i)
                 b.muscle("M", b.straight(b.o, b.p), b.e, some_muscle(muscle_formulation::tendon_force));
             }),
-            "the name F_M is used twice");
+            "two muscles are called M");
   EXPECT_EQ(mistake_of([](pulled& b) {
               b.lag("L", b.e, 0.1);
               b.speed("v");
