@@ -157,7 +157,7 @@ struct System : pulled<M> {};
 void f() { use<System>(); }
 } // namespace m15
 
-// expect: the fiber damping of the muscle M is not positive
+// expect: the fiber damping of the muscle M is negative
 namespace m16 {
 struct M : muscle<M, Line, F,
                   muscle_parameters{.peak_isometric_force = 500.0,
@@ -191,7 +191,7 @@ struct System : pulled<M> {};
 void f() { use<System>(); }
 } // namespace m18
 
-// expect: the muscle M acts between point P and itself
+// expect: a muscle M acts between point P and itself
 namespace m19 {
 struct M
     : muscle<M, straight<P, P>, F,

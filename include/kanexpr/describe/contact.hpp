@@ -4,6 +4,7 @@
 #include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
+#include <kanexpr/describe/operand.hpp>
 #include <kanexpr/describe/point.hpp>
 #include <kanexpr/describe/surface.hpp>
 #include <kanexpr/describe/symbol.hpp>

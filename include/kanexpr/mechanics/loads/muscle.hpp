@@ -80,8 +80,8 @@ struct muscle {
   }
 
   constexpr void check_with(load_check& by, int) const {
-    const sentence whose({"the muscle ", called.view()});
-    if (const sentence found = along.find_mistake(by.mechanism_used(), whose.view()))
+    const sentence named({"muscle ", called.view()}), whose({"the ", named.view()});
+    if (const sentence found = along.find_mistake(by.mechanism_used(), named.view()))
       return by.fail({found.view()});
     along.check_with(by, whose.view());
     by.check_no_speed_rates(activation, "the activation of ", whose.view());

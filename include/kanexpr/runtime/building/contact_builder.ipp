@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/loads/add_bristles.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/loads/contact_law.hpp>

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/add_bristles.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
 #include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/observed_motion.hpp>
