@@ -6,11 +6,11 @@
 
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
-#include <kanexpr/runtime/block_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/contact_data.hpp>
-#include <kanexpr/runtime/tyre_data.hpp>
-#include <kanexpr/runtime/wheel_data.hpp>
+#include <kanexpr/runtime/building/block_data.hpp>
+#include <kanexpr/runtime/building/contact_data.hpp>
+#include <kanexpr/runtime/building/tyre_data.hpp>
+#include <kanexpr/runtime/building/wheel_data.hpp>
 
 #include <cmath>
 #include <string>
@@ -125,22 +125,23 @@ private:
     const int what = d_.whole(0, 14);
     takes = takes || (what >= 3 && what != 7);
     switch (what) {
-    case 0: return gives = true, force_along(some_path(), number());
-    case 1: return linear_spring(some_path(), positive(), positive());
-    case 2: return cubic_spring(some_path(), positive(), positive(), positive());
-    case 3: return linear_damper(some_path(), positive());
+    case 0: gives = true, force_along(some_path(), number()); break;
+    case 1: linear_spring(some_path(), positive(), positive()); break;
+    case 2: cubic_spring(some_path(), positive(), positive(), positive()); break;
+    case 3: linear_damper(some_path(), positive()); break;
     case 4:
-      return stop(some_path(), builder::number(0.7), builder::number(1.4), positive() * 10, positive(),
-                  builder::number(0.2));
-    case 5: return friction_along(some_path(), positive(), some_law());
-    case 6: return add_bushing();
-    case 7: return add_memory();
-    case 8: return add_bristles("bristle" + n);
-    case 9: return add_muscle("M" + n);
-    case 10: return add_motor("D" + n);
+      stop(some_path(), builder::number(0.7), builder::number(1.4), positive() * 10, positive(),
+           builder::number(0.2));
+      break;
+    case 5: friction_along(some_path(), positive(), some_law()); break;
+    case 6: add_bushing(); break;
+    case 7: add_memory(); break;
+    case 8: add_bristles("bristle" + n); break;
+    case 9: add_muscle("M" + n); break;
+    case 10: add_motor("D" + n); break;
     case 11:
-    case 12: return add_tyre(n);
-    default: return add_contact("y" + n);
+    case 12: add_tyre(n); break;
+    default: add_contact("y" + n); break;
     }
   }
 
@@ -309,14 +310,15 @@ private:
       data.friction = law_of_bristles(stiffness, deflections);
     }
     switch (shapes) {
-    case 0: return point_on_plane(p, q, some_vector(g), data);
+    case 0: point_on_plane(p, q, some_vector(g), data); break;
     case 1:
-      return point_on_surface(
+      point_on_surface(
           p, q, g,
           [](expression x, expression y, expression z) { return z - 0.2 * sin(2 * x) + 0.1 * y * y; }, data);
-    case 2: return sphere_on_plane(p, f, positive(), q, some_vector(g), data);
-    case 3: return torus_on_plane(p, f, some_vector(f), positive(), positive(), q, some_vector(g), data);
-    default: return sphere_on_sphere(p, f, positive(), q, g, positive(), data);
+      break;
+    case 2: sphere_on_plane(p, f, positive(), q, some_vector(g), data); break;
+    case 3: torus_on_plane(p, f, some_vector(f), positive(), positive(), q, some_vector(g), data); break;
+    default: sphere_on_sphere(p, f, positive(), q, g, positive(), data); break;
     }
   }
 

@@ -6,7 +6,7 @@
 #include "elements.hpp"
 
 #include <kanexpr/numeric/muscle_curves.hpp>
-#include <kanexpr/runtime/block_data.hpp>
+#include <kanexpr/runtime/building/block_data.hpp>
 
 #include <cmath>
 

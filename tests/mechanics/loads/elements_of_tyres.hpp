@@ -5,8 +5,8 @@
 #include "elements.hpp"
 #include "tyre_law_functions.hpp"
 
-#include <kanexpr/runtime/tyre_data.hpp>
-#include <kanexpr/runtime/wheel_data.hpp>
+#include <kanexpr/runtime/building/tyre_data.hpp>
+#include <kanexpr/runtime/building/wheel_data.hpp>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
