@@ -259,8 +259,8 @@ struct System : jointed<joints<Arm>, loads<stops<-1, 1, 50, 2>>> {};
 void f() { use<System>(); }
 } // namespace q34
 
-// expect: which is for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides along
-// expect: one
+// expect: which is for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides
+// expect: along one
 namespace q35 {
 struct System : jointed<joints<Arm>, loads<friction<Tip, 1, viscous_friction<2>>>> {};
 void f() { use<System>(); }

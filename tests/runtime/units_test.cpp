@@ -1,8 +1,8 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/numeric/beams/modes.hpp>
-#include <kanexpr/runtime/building/beam_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/building/beam_data.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/units/si.hpp>

@@ -39,8 +39,8 @@ public:
     write_gravity();
     return preamble(called, from) + symbols() +
            "/// The ground, its axes and its origin.\nstruct N : inertial_ground<N> {};\n\n" + declarations_ +
-           system() + limits_of(plan_, source_) + at_rest_of(plan_) + values() + "\n} // namespace " + called +
-           "\n";
+           system() + limits_of(plan_, source_) + at_rest_of(plan_) + values() + "\n} // namespace " +
+           called + "\n";
   }
 
 private:

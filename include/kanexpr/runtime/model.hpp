@@ -18,8 +18,8 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
-#include <kanexpr/symbolic/printing/text_with_parts.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/printing/text_with_parts.hpp>
 
 #include <cstddef>
 #include <memory>

@@ -136,11 +136,11 @@ KANEXPR_ENGINE runtime::linearization model::linearize(const linearization_point
 }
 
 KANEXPR_ENGINE std::string model::print(const mechanics::vector& v, mechanics::basis_style style,
-                                  std::size_t longest) const {
+                                        std::size_t longest) const {
   return mechanics::print(mechanism(), v, style, longest);
 }
 KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::basis_style style,
-                                  std::size_t longest) const {
+                                        std::size_t longest) const {
   return mechanics::latex(mechanism(), v, style, longest);
 }
 

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/outcome.hpp>
-#include <kanexpr/runtime/tir_keys.hpp>
 #include <kanexpr/runtime/building/tyre_data.hpp>
+#include <kanexpr/runtime/tir_keys.hpp>
 
 #include <charconv>
 #include <cmath>
