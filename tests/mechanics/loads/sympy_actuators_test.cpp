@@ -166,7 +166,7 @@ struct two_bodies : builder {
                            wrapping::counterclockwise);
   }
 
-  void act(int actuator, const pathway& along) {
+  pulling_load act(int actuator, const pathway& along) {
     const auto& g = given;
     switch (actuator) {
     case 0: return linear_spring(along, g.at("k"), g.at("rest"));
