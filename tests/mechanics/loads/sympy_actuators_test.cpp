@@ -29,6 +29,7 @@ using kanexpr::runtime::muscle_data;
 using kanexpr::runtime::muscle_states;
 using kanexpr::runtime::pathway;
 using kanexpr::runtime::point_id;
+using kanexpr::runtime::pulling_load;
 using kanexpr::symbolic::expression;
 using kanexpr::symbolic::matrix;
 
