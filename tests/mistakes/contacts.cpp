@@ -96,7 +96,7 @@ void f() { use<System>(); }
 } // namespace n13
 
 // expect: which is for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides
-// along expect: one
+// expect: along one
 namespace n14 {
 struct Link : spherical<Link, Ground, mass> {};
 struct System : jointed<joints<Link>, loads<friction<Link, l, viscous_friction<1>>>> {};

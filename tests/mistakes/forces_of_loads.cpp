@@ -245,7 +245,7 @@ void f() { want<lateral_force_of<touch>, System>(); }
 } // namespace q32
 
 // expect: an expression uses friction_force_of<...> of the tyre between Arm and Ground, which is not a
-// contact
+// expect: contact
 namespace q33 {
 using rolls =
     tyre<thin_wheel<Arm, Arm::z, 0.3>, flat_ground<Ground, Ground::x>, linear_tyre<9, 9>, standstill<1>>;
