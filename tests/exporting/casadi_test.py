@@ -232,3 +232,4 @@ assert status == 0
 near(rate, [0.0, -9.81 / 0.5 * math.sin(0.3)], 1e-14)
 assert pendulum.raw([[0.3, 0.0], [0.0], None])[0] != 0, "without a length there are no rates"
 check_failures(driven.library, "driven")
+check_all("wheel", method=None)

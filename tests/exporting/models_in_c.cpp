@@ -70,11 +70,29 @@ bool write_awkward(const char* folder) {
   return static_cast<bool>(kanexpr::write_casadi(b, folder, "a"));
 }
 
+/// A driven wheel with a tyre after the Magic Formula.
+bool write_wheel(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto x = b.coordinate("x"), angle = b.coordinate("angle"), v = b.speed("v"), spin = b.speed("spin"),
+             radius = b.parameter("R"), load = b.parameter("F"), torque = b.input("T");
+  b.kinematic_equation(b.dot(x) - v);
+  b.kinematic_equation(b.dot(angle) - spin);
+  const auto N = b.inertial_frame(), rim = b.rotated("Rim", N, angle, b.along(N, 0, 1, 0));
+  const auto O = b.origin("O"), hub = b.offset("Hub", O, b.along(N, x, 0, radius));
+  b.rigid_body("Wheel", hub, rim, b.number(2), b.inertia(rim, 0.1, 0.15, 0.1));
+  b.torque(rim, b.along(N, 0, torque, 0));
+  auto tyre = kanexpr::runtime::tyre_data::of_formula(
+      {.Fz0 = 1, .R0 = 1, .pCx1 = 1.6, .pDx1 = 1.1, .pEx1 = 0.3, .pKx1 = 20, .pKx3 = 0.2, .qsy1 = 0.01});
+  tyre.load = load, tyre.standstill = 0.5;
+  b.tyre(b.wheel_on_plane({hub, rim, b.along(N, 0, 1, 0), radius}, O, b.along(N, 0, 0, 1)), tyre);
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "wheel"));
+}
+
 bool write_for_casadi(const char* folder, const casadi_options& bound) {
   using namespace kanexpr;
   using System = n_pendulum_cart::System<1>;
 #include <docs/export/casadi/write.cpp>
-  return written && write_driven(folder) && write_awkward(folder) &&
+  return written && write_driven(folder) && write_awkward(folder) && write_wheel(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
          write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"}) &&
          write_casadi<motor_arm::System>(folder, "motor_arm", {.step = "runge_kutta_4"}) &&
