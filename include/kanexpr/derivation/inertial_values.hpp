@@ -20,9 +20,9 @@
 namespace kanexpr::derivation {
 
 /// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity depends on
-/// numeric values, and values of loads that must be positive, stored as a sequence of operations on numbers.
-/// Programs use this sequence to check the parameters that they receive. Bodies and loads beyond its capacity
-/// are not checked.
+/// numeric values, and values of loads that must be positive or not negative, stored as a sequence of
+/// operations on numbers. Programs use this sequence to check the parameters that they receive. Bodies and
+/// loads beyond its capacity are not checked.
 struct inertial_values {
   static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40, room_for_loads = 32;
 
@@ -54,8 +54,8 @@ struct inertial_values {
   of_load loads[room_for_loads]{};
 
   /// Returns the first mistake for the given parameters: a value that is negative beyond rounding error, an
-  /// inertia that no body can have, or a value of a load that must be positive and is not. Values that depend
-  /// on a NaN parameter are skipped.
+  /// inertia that no body can have, or a zero that must be positive. Values that depend on a NaN parameter
+  /// are skipped.
   constexpr base::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
     for (int i = 0; i < steps; ++i) {

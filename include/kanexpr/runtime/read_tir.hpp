@@ -7,12 +7,14 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -181,9 +183,9 @@ inline read_tyre read_tir_text(std::string_view text, const std::string& called 
 }
 
 /// Reads the coefficients of the Magic Formula from a file with tyre properties (.tir) of the versions 6.0 to
-/// 6.2 (FITTYP 60, 61 or 62), in SI units: `b.tyre(wheel,
-/// tyre_data::of_formula(read_tir(path).coefficients))` after setting its load and `standstill`. Coefficients
-/// that the formula does not have are noted.
+/// 6.2 (FITTYP 60, 61 or 62), in SI units: `auto t = tyre_data::of_formula(read_tir(path).coefficients);`.
+/// The load and the `standstill` of the tyre are set before `b.tyre(wheel, t)`. Coefficients that the formula
+/// does not have are noted.
 inline read_tyre read_tir(const file_path& path) {
   std::ifstream file(path.text(), std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
