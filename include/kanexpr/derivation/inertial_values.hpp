@@ -36,6 +36,7 @@ struct inertial_values {
 
   /// A value of a load, such as a stiffness.
   struct of_load {
+    base::name parameter{}; ///< empty if the value is an expression of several
     base::name called{};
     int value = 0;
     bool is_positive = false; ///< whether zero is a mistake too
@@ -91,8 +92,10 @@ struct inertial_values {
       const of_load& each = loads[i];
       const bool is_zero = each.is_positive && base::equal(value[each.value - 1], 0.0);
       if (is_zero || is_negative(each.value))
-        found = base::sentence(
-            {each.called.view(), is_zero || each.is_positive ? " is not positive" : " is negative"});
+        found = base::sentence({each.parameter.length > 0 ? "parameter " : "", each.parameter.view(),
+                                each.parameter.length > 0 ? ", " : "", each.called.view(),
+                                each.parameter.length > 0 ? "," : "",
+                                is_zero || each.is_positive ? " is not positive" : " is negative"});
     }
     return found;
   }
@@ -152,14 +155,8 @@ private:
     if (value == 0) return;
     inertial_values::of_load& made = into_.loads[into_.bounded++];
     made.value = value, made.is_positive = each.is_positive;
-    const int parameter = m_.parameters.find(each.value);
-    if (parameter >= 0) {
-      made.called = "parameter ";
-      made.called.append(mechanics::called(m_, each.value));
-      made.called.append(", ");
-    }
-    made.called.append(without_preposition(each.of));
-    if (parameter >= 0) made.called.append(",");
+    if (m_.parameters.find(each.value) >= 0) made.parameter = base::name(mechanics::called(m_, each.value));
+    made.called = base::name(without_preposition(each.of));
   }
   /// "the stiffness" for "the stiffness of the ", whose sentence continues with the name of a load.
   static constexpr std::string_view without_preposition(std::string_view of) {

@@ -44,6 +44,8 @@ protected:
   ~wheel_builder() = default;
 
 private:
+  /// Whether a wheel is of this builder and has no mistake.
+  bool is_right(std::string_view asking, const wheel_on_ground& wheel);
   wheel_on_ground wheel_on(const wheel_data& wheel, point_id ground);
   wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
                                   int steps);
