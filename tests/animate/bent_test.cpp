@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Pictures of beams: the stations are those of its sections, and what is wrong is reported.
 #include "animate/samples.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Cables along pathways: their places are those of the shortest lines.
 #include "animate/samples.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 #include "animate/samples.hpp"
 
 #include <kanexpr/animate.hpp>

@@ -427,7 +427,7 @@ TEST(load_quantities, mistakes_in_a_builder) {
   };
   using motion = mechanics::known_motion;
   EXPECT_EQ(mistake([](box& b, motion& known, motion&) { b.tension_of({}, known); }),
-            "the tension of a load is requested that was not added to the builder");
+            "the tension is requested of a load that was not added to the builder");
   EXPECT_EQ(mistake([](box& b, motion&, motion& other) { b.tension_of(b.spring(b.o, b.wall, b.k), other); }),
             "the tension of a load is requested for the motion of a different builder");
   EXPECT_EQ(mistake([](box& b, motion& known, motion&) {

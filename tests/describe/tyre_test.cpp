@@ -315,6 +315,9 @@ $---------------------------------------------- units
 LENGTH                   = 'meter'
 FORCE                    = 'newton'
 ANGLE                    = 'radians'
+MASS                     = 'kg'
+[INERTIA]
+MASS                     = 9.3
 [MODEL]
 FITTYP                   = 61               $ version
 TYRESIDE                 = 'Left'
@@ -359,8 +362,8 @@ PDXP2 = 0
   EXPECT_EQ(read.unloaded_radius, 0.3);
   EXPECT_EQ(read.radial_stiffness, 2.1e5);
   ASSERT_EQ(read.notes.size(), 2);
-  EXPECT_EQ(read.notes[0], "line 40 of slick.tir: QBZ4 is ignored; the formula has no such coefficient");
-  EXPECT_EQ(read.notes[1], "line 45 of slick.tir: the coefficients of turn slip are ignored");
+  EXPECT_EQ(read.notes[0], "line 43 of slick.tir: QBZ4 is ignored; the formula has no such coefficient");
+  EXPECT_EQ(read.notes[1], "line 48 of slick.tir: the coefficients of turn slip are ignored");
   const auto with = [](const tyre_data::coefficients& c, built& s) {
     tyre_data t = tyre_data::of_formula(c);
     t.load = 3000, t.standstill = s.slow;
@@ -407,9 +410,10 @@ TEST(tyre_files, with_mistakes) {
             "line 5 of a.tir: the unit of LENGTH is MM; it must be METER");
   EXPECT_EQ(cause(head + "TYRESIDE = 'middle'"),
             "line 4 of a.tir: TYRESIDE is MIDDLE; it must be LEFT, RIGHT or SYMMETRIC");
-  EXPECT_EQ(cause("FITTYP = 6"),
-            "line 1 of a.tir: FITTYP is 6; only the versions 60, 61 and 62 of the Magic Formula can be read");
+  EXPECT_EQ(cause("FITTYP = 6"), "line 1 of a.tir: FITTYP is 6; only 60, 61 and 62, the versions 6.0 to 6.2 "
+                                 "of the Magic Formula, can be read");
   EXPECT_EQ(runtime::read_tir("/nowhere/a.tir").cause(), "/nowhere/a.tir cannot be read");
+  EXPECT_EQ(runtime::read_tir("/tmp").cause(), "/tmp cannot be read"); // a folder
   const runtime::read_tyre old = runtime::read_tir_text("FNOMIN = 4000\nUNLOADED_RADIUS = 0.3\n", "a.tir");
   ASSERT_EQ(old.notes.size(), 1);
   EXPECT_EQ(old.notes[0], "a.tir: FITTYP is missing; the coefficients are taken as those of version 6.1");

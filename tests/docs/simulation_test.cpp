@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Simulation: docs/simulation.md, except for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

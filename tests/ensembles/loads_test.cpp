@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Tyres, muscles and friction with bristles in everything that moves a system: batches, steps, filters,
 // simulations and ensembles, compared with interpreted rates.
 #include "runtime/agreement.hpp"

@@ -127,3 +127,12 @@ struct Contact : contact_point<Contact, conical_wheel<Arm, Arm::y, 0.4, 0.1>, fl
 struct System : jointed<joints<Arm>, loads<force<Contact, Ground::x>>> {};
 void f() { use<System>(); }
 } // namespace n17
+
+// expect: the wheel between Arm and Far has points measured from two origins, Ground and Far, whose
+// expect: distance is not known
+namespace n18 {
+using hilly = uneven_ground<Far, Ground, 0.1 * sin(surface::x)>;
+struct Contact : contact_point<Contact, round_wheel, hilly> {};
+struct System : jointed<joints<Arm>, loads<force<Contact, Ground::x>>> {};
+void f() { use<System>(); }
+} // namespace n18

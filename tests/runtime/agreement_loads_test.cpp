@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Most kinds of loads in two systems: compiled and interpreted code to the last bit, single precision,
 // batches, constant expressions, linearization, second derivatives and the forces of the loads.
 #include "compiled/complex_steps.hpp"

@@ -394,6 +394,13 @@ TEST(wheels, in_a_builder_tell_mistakes) {
               w = b.wheel_on_plane(data, b.o, b.along(b.n, 0, 0, 1));
             }),
             "the axis of the tyre between Hub and O turns in B, the frame of its body");
+  EXPECT_EQ(mistake_of_tyre([](auto& b, auto& w, auto&) {
+              auto data = b.wheel(0.3);
+              data.axis = b.along(b.n, 0, 1, 0);
+              w = b.wheel_on_plane(data, b.o, b.along(b.n, 0, 0, 1));
+              b.contact_point("K", w);
+            }),
+            "the axis of the wheel between Hub and O turns in B, the frame of its body");
 }
 
 } // namespace

@@ -147,7 +147,7 @@ TEST(simulated_model, rejects_a_mass_whose_expression_is_negative) {
 TEST(simulated_model, reports_constants_of_loads_that_make_no_sense) {
   builder b("N");
   const expression z = b.coordinate("z"), v = b.speed("v"), r = b.parameter("r"), k = b.parameter("k");
-  const expression w = b.parameter("w"), T = b.parameter("T");
+  const expression w = b.parameter("w"), T = b.parameter("T"), Tt = b.parameter("Tt");
   b.kinematic_equation(b.dot(z) - v);
   const auto n = b.inertial_frame();
   const auto o = b.origin("O"), c = b.offset("C", o, b.along(n, 0, 0, z));
@@ -156,8 +156,10 @@ TEST(simulated_model, reports_constants_of_loads_that_make_no_sense) {
   data.restitution = {0.5, w / r};
   b.point_on_plane(c, o, b.along(n, 0, 0, 1), data);
   b.lag("Filter", z, T);
-  const auto cause = [&](double at_k, double at_w, double at_T, double at_r = 1) {
-    return simulate(b, {{"z", 1}, {"v", 0}}, {{"k", at_k}, {"w", at_w}, {"T", at_T}, {"r", at_r}}, {0, 0.1})
+  b.pid("Controller", z, 1, 1, -1, 1, Tt);
+  const auto cause = [&](double at_k, double at_w, double at_T, double at_r = 1, double at_Tt = 1) {
+    return simulate(b, {{"z", 1}, {"v", 0}},
+                    {{"k", at_k}, {"w", at_w}, {"T", at_T}, {"r", at_r}, {"Tt", at_Tt}}, {0, 0.1})
         .cause();
   };
   EXPECT_EQ(cause(100, 0.1, 0.1), "");
@@ -166,6 +168,8 @@ TEST(simulated_model, reports_constants_of_loads_that_make_no_sense) {
   EXPECT_EQ(cause(100, 0, 0.1), "the width of the contact is not positive");
   EXPECT_EQ(cause(100, 0.1, 0.1, -1), "the damping of the contact is negative");
   EXPECT_EQ(cause(100, 0.1, -0.1), "parameter T, the time constant of block Filter, is not positive");
+  EXPECT_EQ(cause(100, 0.1, 0.1, 1, -1),
+            "parameter Tt, the time constant of the integral part of block Controller, is not positive");
 }
 
 TEST(simulated_model, reports_missing_values_before_the_first_step) {

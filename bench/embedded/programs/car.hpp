@@ -6,7 +6,7 @@
 
 #include <array>
 
-/// A car on brush tyres with relaxation lengths in a turn, where its programs are called.
+/// A car on brush tyres with relaxation lengths, and the state in a turn at which its programs are called.
 namespace embedded::car {
 
 using namespace cornering_car;

@@ -55,8 +55,8 @@ struct pulled_end {
   const describe::point_record* toward = nullptr; ///< the next point of the line
 };
 
-/// The number of the first ends found, of which a load along a line has two; 0 if it does not pull along
-/// straight lines between points.
+/// Stores the two ends of the line along which a load pulls in `found` and returns their number; 0 if the
+/// load does not pull along straight lines between points.
 constexpr int ends_of_line(const load_record& r, pulled_end* found) {
   using enum describe::load_word;
   if (r.what == spring || r.what == damper) {

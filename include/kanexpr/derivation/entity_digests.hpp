@@ -190,9 +190,9 @@ private:
   constexpr void take(const describe::contact_record& r) {
     now_.take(static_cast<int>(r.shapes));
     mention(r.frame), mention(r.other_frame);
-    for (const phrase* each :
-         {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness, &r.exponent, &r.width,
-          &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate, &r.spinning_lever, &r.spinning_rate})
+    for (const phrase* each : {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness,
+                               &r.exponent, &r.width, &r.damping, &r.approach_speed, &r.direction, &r.ratio,
+                               &r.lever, &r.rolling_rate, &r.spinning_lever, &r.spinning_rate})
       take(*each);
     now_.take(r.restitution);
     if (r.friction != nullptr) take(*r.friction);

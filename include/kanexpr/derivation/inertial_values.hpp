@@ -20,9 +20,9 @@
 namespace kanexpr::derivation {
 
 /// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity depends on
-/// numeric values, and values of loads that must be positive, stored as a sequence of operations on numbers.
-/// Programs use this sequence to check the parameters that they receive. Bodies and loads beyond its capacity
-/// are not checked.
+/// numeric values, and values of loads that must be positive or not negative, stored as a sequence of
+/// operations on numbers. Programs use this sequence to check the parameters that they receive. Bodies and
+/// loads beyond its capacity are not checked.
 struct inertial_values {
   static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40, room_for_loads = 32;
 
@@ -36,6 +36,7 @@ struct inertial_values {
 
   /// A value of a load, such as a stiffness.
   struct of_load {
+    base::name parameter{}; ///< empty if the value is an expression of several
     base::name called{};
     int value = 0;
     bool is_positive = false; ///< whether zero is a mistake too
@@ -54,8 +55,8 @@ struct inertial_values {
   of_load loads[room_for_loads]{};
 
   /// Returns the first mistake for the given parameters: a value that is negative beyond rounding error, an
-  /// inertia that no body can have, or a value of a load that must be positive and is not. Values that depend
-  /// on a NaN parameter are skipped.
+  /// inertia that no body can have, or a zero that must be positive. Values that depend on a NaN parameter
+  /// are skipped.
   constexpr base::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
     for (int i = 0; i < steps; ++i) {
@@ -91,8 +92,10 @@ struct inertial_values {
       const of_load& each = loads[i];
       const bool is_zero = each.is_positive && base::equal(value[each.value - 1], 0.0);
       if (is_zero || is_negative(each.value))
-        found = base::sentence(
-            {each.called.view(), is_zero || each.is_positive ? " is not positive" : " is negative"});
+        found = base::sentence({each.parameter.length > 0 ? "parameter " : "", each.parameter.view(),
+                                each.parameter.length > 0 ? ", " : "", each.called.view(),
+                                each.parameter.length > 0 ? "," : "",
+                                is_zero || each.is_positive ? " is not positive" : " is negative"});
     }
     return found;
   }
@@ -152,14 +155,8 @@ private:
     if (value == 0) return;
     inertial_values::of_load& made = into_.loads[into_.bounded++];
     made.value = value, made.is_positive = each.is_positive;
-    const int parameter = m_.parameters.find(each.value);
-    if (parameter >= 0) {
-      made.called = "parameter ";
-      made.called.append(mechanics::called(m_, each.value));
-      made.called.append(", ");
-    }
-    made.called.append(without_preposition(each.of));
-    if (parameter >= 0) made.called.append(",");
+    if (m_.parameters.find(each.value) >= 0) made.parameter = base::name(mechanics::called(m_, each.value));
+    made.called = base::name(without_preposition(each.of));
   }
   /// "the stiffness" for "the stiffness of the ", whose sentence continues with the name of a load.
   static constexpr std::string_view without_preposition(std::string_view of) {

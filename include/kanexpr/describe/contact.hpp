@@ -68,8 +68,7 @@ constexpr std::string_view mistake_of_contact_words() {
   if constexpr (!(word_of_a_contact<Words> && ...))
     return "has an argument that is neither elastic<...>, smoothed_over<...>, restitution<...>, "
            "dissipation<...>, rolling_resistance<...>, spinning_resistance<...>, directional_friction<...> "
-           "nor "
-           "a law of friction";
+           "nor a law of friction";
   else if (times_of_contact_word<elastic, Words...> != 1)
     return "needs one elastic<stiffness, exponent>";
   else if (times_of_contact_word<smoothed_over, Words...> != 1)
@@ -295,9 +294,9 @@ struct spinning_resistance {
 };
 
 /// A direction in which friction differs, as a word of a contact: `directional_friction<Skate::x, 0.05>`. The
-/// law of friction holds across the direction, a vector fixed in a frame; along it, the coefficient of
-/// friction is that multiplied by the ratio, and in between the limit of dry friction is an ellipse. The
-/// contact is undefined if the direction is along its normal.
+/// law of friction holds across the direction, which is a vector fixed in a frame. Along it, the coefficient
+/// of friction is multiplied by the ratio, a positive number; in between, the limit of dry friction is an
+/// ellipse. The contact is undefined where the direction is parallel to its normal.
 template <auto direction, auto... ratio>
 struct directional_friction {
   static constexpr auto contact_word = describe::contact_word::directional_friction;

@@ -38,7 +38,7 @@ constexpr bool is_of_position(load_quantity what) {
          what == load_quantity::lowest_point;
 }
 
-/// The unit of a quantity; that of a tension if the ends of its pathway are points.
+/// The unit of a quantity; of a tension, if the ends of its pathway are points.
 constexpr units::unit unit_of(load_quantity what) {
   using enum load_quantity;
   if (is_of_position(what) || what == contact_place) return units::si::meter;
@@ -102,16 +102,16 @@ template <class Tyre>
 inline constexpr scalar<1> aligning_moment_of{{describe::of_load(
     describe::load_quantity::aligning_moment, &describe::load_of<Tyre>, !is_known_to_all_files<Tyre>)}};
 
-/// The longitudinal slip κ of a tyre on which its law depends, with relaxation lengths the lagging one:
-/// `longitudinal_slip_of<tyre<...>>`. It is positive if the wheel is driven. Of a `brush_tyre`, it is the
-/// theoretical slip σ_x. The system must list the tyre.
+/// The longitudinal slip κ on which the law of a tyre depends: `longitudinal_slip_of<tyre<...>>`. With
+/// relaxation lengths, it lags behind the slip of the wheel. It is positive if the wheel is driven. Of a
+/// `brush_tyre`, it is the theoretical slip σ_x. The system must list the tyre.
 template <class Tyre>
 inline constexpr scalar<1> longitudinal_slip_of{{describe::of_load(
     describe::load_quantity::longitudinal_slip, &describe::load_of<Tyre>, !is_known_to_all_files<Tyre>)}};
 
-/// The lateral slip tan α of a tyre on which its law depends, with relaxation lengths the lagging one:
-/// `lateral_slip_of<tyre<...>>`. It is positive if the wheel moves to the left. Of a `brush_tyre`, it is
-/// −σ_y, minus the theoretical slip. The system must list the tyre.
+/// The lateral slip tan α on which the law of a tyre depends: `lateral_slip_of<tyre<...>>`. With relaxation
+/// lengths, it lags behind the slip of the wheel. It is positive if the wheel moves to the left. Of a
+/// `brush_tyre`, it is −σ_y, minus the theoretical slip. The system must list the tyre.
 template <class Tyre>
 inline constexpr scalar<1> lateral_slip_of{{describe::of_load(
     describe::load_quantity::lateral_slip, &describe::load_of<Tyre>, !is_known_to_all_files<Tyre>)}};

@@ -208,7 +208,7 @@ struct point_record : entity_record {
   bool from_parent =
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
   std::string_view its_own{};               ///< the point of that entity, if it has one
-  const frame_record* of_joint = nullptr;   ///< the frame of the joint that is also this point
+  const frame_record* of_joint = nullptr;   ///< the frame of the joint whose point this is
   const body_record* on_beam = nullptr;     ///< the beam of a section
   bool is_off_beam = false;                 ///< whether the section is not between root and tip
   bool is_at_whole_zero = false;            ///< whether its place is the integer 0, such as 1/2

@@ -215,9 +215,9 @@ struct straight_rail {
 };
 
 /// The point of a wheel that is deepest in the ground, on flat ground its lowest, as a material point of the
-/// wheel: `struct C : contact_point<C, thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` If
-/// `penetration_of` the wheel is zero, it touches the ground there, and it rolls without slip if the velocity
-/// of this point is that of the ground.
+/// wheel: `struct C : contact_point<C, thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` The wheel
+/// touches the ground at this point if its `penetration_of` is zero, and rolls without slip if the velocity
+/// of the point is that of the ground.
 template <class Self, class Wheel, class Ground>
 struct contact_point {
   static_assert(describe::is_wheel<Wheel>, "contact_point<Self, Wheel, Ground> requires a thin_wheel<...>, "

@@ -1,18 +1,19 @@
 #pragma once
 
 #include <kanexpr/base/file_path.hpp>
+#include <kanexpr/base/file_text.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/runtime/building/tyre_data.hpp>
 #include <kanexpr/runtime/tir_keys.hpp>
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,8 @@ private:
   /// Text from the file, without control characters and not too long for a message.
   static std::string printable(std::string_view text) {
     std::string plain;
-    for (const char c : text.substr(0, 40)) plain += c < 0x20 || c == 0x7f ? '?' : c;
+    for (const char c : text.substr(0, 40))
+      plain += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
     return text.size() > 40 ? plain + "..." : plain;
   }
 
@@ -98,9 +100,9 @@ private:
   }
 
   void take(const std::string& key, std::string_view value) {
+    if (section_ == "[UNITS]") return check_unit(key, value); // MASS is also a property
     if (const auto [before, is_new] = seen_.emplace(key, line_); !is_new)
       return fail(printable(key) + " is given twice, first in line " + std::to_string(before->second));
-    if (section_ == "[UNITS]") return check_unit(key, value);
     if (key == "TYRESIDE") return take_side(value);
     if (key == "FITTYP") return check_version(value);
     const tir_key known = find_tir_key(key);
@@ -149,7 +151,7 @@ private:
     for (const double version : {60.0, 61.0, 62.0})
       if (number && std::abs(*number - version) < 0.5) return;
     fail("FITTYP is " + printable(value) +
-         "; only the versions 60, 61 and 62 of the Magic Formula can be read");
+         "; only 60, 61 and 62, the versions 6.0 to 6.2 of the Magic Formula, can be read");
   }
 
   static std::string_view unquoted(std::string_view value) {
@@ -181,14 +183,13 @@ inline read_tyre read_tir_text(std::string_view text, const std::string& called 
 }
 
 /// Reads the coefficients of the Magic Formula from a file with tyre properties (.tir) of the versions 6.0 to
-/// 6.2 (FITTYP 60, 61 or 62), in SI units: `b.tyre(wheel,
-/// tyre_data::of_formula(read_tir(path).coefficients))` after setting its load and `standstill`. Coefficients
-/// that the formula does not have are noted.
+/// 6.2 (FITTYP 60, 61 or 62), in SI units: `auto t = tyre_data::of_formula(read_tir(path).coefficients);`.
+/// The load and the `standstill` of the tyre are set before `b.tyre(wheel, t)`. Coefficients that the formula
+/// does not have are noted.
 inline read_tyre read_tir(const file_path& path) {
-  std::ifstream file(path.text(), std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return read_tyre(path.text() + " cannot be read");
-  return read_tir_text(text, path.text().substr(path.text().rfind('/') + 1));
+  const std::optional<std::string> text = base::text_of(path);
+  if (!text) return read_tyre(path.text() + " cannot be read");
+  return read_tir_text(*text, path.text().substr(path.text().rfind('/') + 1));
 }
 
 } // namespace kanexpr::runtime

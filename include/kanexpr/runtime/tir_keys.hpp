@@ -7,6 +7,7 @@
 /// The keys of files with tyre properties (.tir) for the coefficients of the Magic Formula.
 namespace kanexpr::runtime {
 
+/// A key of a file and the coefficient that it sets.
 struct tir_key {
   using coefficients = tyre_data::coefficients;
   std::string_view key{};

@@ -96,7 +96,8 @@ private:
   constexpr void read_positive(const describe::listing<describe::positive_argument>& all,
                                const sentence& whose) {
     for (const describe::positive_argument& each : all) {
-      if (reading_.mistake || moves(each.value)) return;
+      if (reading_.mistake) return;
+      if (moves(each.value)) continue;
       const expression value = phrases_.scalar_of(each.value, {each.of, whose.view()}, whose.view());
       base::name of = each.of;
       of.append(whose.view());

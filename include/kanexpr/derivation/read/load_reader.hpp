@@ -10,9 +10,11 @@
 #include <kanexpr/derivation/read/wheel_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/load_quantities.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/units/si.hpp>
 
@@ -144,6 +146,12 @@ private:
     load_parts parts(*this, of, reading_.into.loads, whom);
     const mechanics::wheel_on_ground w = wheel_reader(parts).read(*of.wheel);
     mechanics::vector lowest;
+    if (!reading_.mistake) {
+      const mechanics::contents held(*m_.g);
+      mechanics::load_check check(m_, held);
+      w.check_with(check, "the wheel");
+      reading_.mistake = check.mistake();
+    }
     if (reading_.mistake) return is_vector(wanted) ? value::of(lowest) : value::of(m_.zero());
     const mechanics::wheel_contact at = w.contact(m_);
     if (!is_vector(wanted)) return value::of(at.penetration);

@@ -12,7 +12,7 @@ inline constexpr std::string_view joint_out_of_place = "a joint; list it in join
 /// A beam in place of a frame or a point.
 inline constexpr std::string_view a_beam = "a beam; name a place on it by section<Self, Beam, place>"sv;
 
-/// The kind of a point.
+/// A point in place of something else.
 inline constexpr std::string_view point_out_of_place = "a point; points need not be listed"sv;
 
 /// Describes a type for a message about a misplaced type; empty if the type is not a word of a model.

@@ -41,12 +41,12 @@ struct rotation_resistance {
 
 /// A direction along which the friction differs from that across it, such as the blade of a skate. With the
 /// slip v and the stretch S v, in which the part of v along the direction is multiplied by the ratio, the
-/// friction is S F(S v) instead of F(v): by Coulomb's law, it is the given multiple along the direction, and
-/// an ellipse in between. It takes the energy that F(S v) takes.
+/// friction is S F(S v) instead of F(v). By Coulomb's law, the friction along the direction is that across it
+/// times the ratio, and its limit is an ellipse. Its power is that of F at the slip S v.
 struct friction_direction {
   components unit{}; ///< in the axes of `frame`
   int frame = none;
-  expression ratio{};
+  expression ratio{}; ///< of the friction along the direction to that across it
 
   constexpr explicit operator bool() const { return ratio.is_given(); }
 };

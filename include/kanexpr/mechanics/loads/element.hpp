@@ -26,8 +26,8 @@ struct element_kind {
   void (*state_units)(const element&, load_units&, int) = nullptr;
 };
 
-/// A load whose kind only its own header knows: a pathway, a contact, a muscle. Everything that handles loads
-/// sees its expressions and integers, so a model pays only for the kinds that it contains.
+/// A load whose kind only its own header knows, such as a contact or a muscle. Everything else that handles
+/// loads sees its expressions and integers, so a model pays only for the kinds that it contains.
 struct element {
   const element_kind* kind = nullptr;
   sequence<expression> expressions{};

@@ -204,11 +204,10 @@ private:
     constant(bristles.stiffness, "the stiffness of the bristles of ", true);
     constant(bristles.stribeck_speed, "the Stribeck speed of ", true);
     constant(bristles.damping, "the damping of the bristles of ", false);
+    if (bristles.damping.is_given())
+      by.check_not_negative(bristles.damping, "the damping of the bristles of ", whose);
     by.check_positive(sliding, "the coefficient of friction of ", whose);
     if (sticking.is_given()) by.check_positive(sticking, "the coefficient of static friction of ", whose);
-    if (bristles.damping.is_given() && bristles.damping.is_constant() &&
-        bristles.damping.owner().number_at(bristles.damping.node()).value() < 0)
-      by.fail({"the damping of the bristles of ", whose, " is negative"});
   }
 
   /// μ_c + (μ_s − μ_c) exp(−(v/v_s)²)

@@ -49,14 +49,14 @@ struct loads {
           self.gravity, self.has_lagrangian, self.lagrangian);
   }
 
-  /// Calls `visit` with the list of each kind of loads.
+  /// Calls `visit` with each list of loads.
   template <class Visit>
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
               elements, state_rates);
   }
-  /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
+  /// Calls `visit` for each load except gravity, with the load and its index in its list.
   template <class Visit>
   constexpr void each(Visit&& visit) const {
     each_kind([&](const auto& all) {
@@ -64,6 +64,7 @@ struct loads {
     });
   }
 
+  /// Adds a load that has no list of its own.
   template <class Load>
   constexpr void add(const Load& load) {
     elements.push(element_of(load));

@@ -83,7 +83,7 @@ struct muscle {
     const sentence named({"muscle ", called.view()}), whose({"the ", named.view()});
     if (const sentence found = along.find_mistake(by.mechanism_used(), named.view()))
       return by.fail({found.view()});
-    along.check_with(by, whose.view());
+    along.check_with(by, named.view());
     by.check_no_speed_rates(activation, "the activation of ", whose.view());
     const auto examine = [&](expression e, std::string_view of, bool is_positive) {
       by.check_constant(e, of, whose.view());
@@ -105,8 +105,8 @@ struct muscle {
 
   constexpr void state_units(load_units& by, int) const {
     namespace si = units::si;
-    const sentence whose({"the muscle ", called.view()});
-    along.state_units(by, whose.view());
+    const sentence named({"muscle ", called.view()}), whose({"the ", named.view()});
+    along.state_units(by, named.view());
     const auto expect = [&](expression e, std::string_view of, const units::unit& u) {
       by.describe({of, whose.view()});
       by.expect(e, u);

@@ -13,8 +13,8 @@
 namespace kanexpr::mechanics {
 
 /// Whether a unit vector that is fixed in the frame `axes` is also fixed in `other`, as the axis of a wheel
-/// is in the fork that carries it. The derivatives of its components are evaluated numerically if the
-/// expressions do not show it.
+/// is fixed both in the fork and in the wheel. The derivatives of its components are evaluated numerically if
+/// the expressions do not show it.
 constexpr bool is_at_rest_in(const mechanism& m, const components& unit, int axes, int other) {
   const components turned = express(m, unit, axes, other);
   if (is_fixed(turned)) return true;

@@ -147,6 +147,7 @@ private:
   constexpr std::string_view name_of(expression symbol) const {
     return g_.symbol_at(symbol.node()).called.view();
   }
+
   /// Adds an equation between units, and records what it describes if it determines one.
   constexpr bool equate(const unit_product& a, const unit_product& b) {
     const bool fits = relations_.equate(a, b);

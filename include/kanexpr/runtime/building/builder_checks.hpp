@@ -44,7 +44,7 @@ public:
     return fail({given, integer_zero, "write 0.5", intended_zero});
   }
 
-  /// Checks that all arguments belong entirely to this mechanism: frames, points, expressions, vectors and
+  /// Checks that all arguments belong entirely to this mechanism: frames, points, expressions, vectors,
   /// dyadics, sequences and pathways.
   template <class... Arguments>
   bool owns(std::string_view whose, const Arguments&... all) {

@@ -37,7 +37,7 @@ public:
   /// a loop with a pin about this axis.
   zero_components parallel(const vector& direction, frame_id frame, int axis);
   /// Keeps the axes of two frames aligned, as `same_axes<A, B>`; together with `coincident`, it closes a loop
-  /// with a weld.
+  /// with a weld. Half turns satisfy it as well, so the motion must start with aligned axes.
   zero_components same_axes(frame_id frame, frame_id other);
   /// Keeps two points at a fixed distance, like a massless rod: an expression for `configuration_constraint`,
   /// whose multiplier times −2 l is the tension.

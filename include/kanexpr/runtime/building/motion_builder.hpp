@@ -17,6 +17,7 @@ public:
   vector acceleration_of(point_id point, mechanics::known_motion& known);
   /// The angular velocity of a frame in the inertial frame.
   vector angular_velocity_of(frame_id frame, mechanics::known_motion& known);
+  /// The angular acceleration of a frame in the inertial frame, with the rates of the speeds as symbols.
   vector angular_acceleration_of(frame_id frame, mechanics::known_motion& known);
   /// The time derivative of a scalar.
   expression derivative(expression e, mechanics::known_motion& known);

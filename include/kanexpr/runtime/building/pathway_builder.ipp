@@ -168,7 +168,7 @@ KANEXPR_ENGINE expression pathway_builder::tension_of(const pulling_load& load,
   return std::visit(
       [&](const auto& given) {
         if constexpr (std::is_same_v<decltype(given), const std::monostate&>) {
-          checks_.fail({"the tension of a load is requested that was not added to the builder"});
+          checks_.fail({"the tension is requested of a load that was not added to the builder"});
           return m_.zero();
         } else {
           if (!owns_load(given)) return m_.zero();

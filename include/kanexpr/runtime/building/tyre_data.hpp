@@ -57,8 +57,8 @@ struct tyre_data {
   }
 };
 
-/// The load, the forces and the slips of a tyre in a builder, with the signs of `lateral_force_of<Tyre>` and
-/// so on.
+/// The load and the forces of a tyre in a builder, in N, its aligning moment, in N m, and its slips, with the
+/// signs of the words of the same names, such as `lateral_force_of<Tyre>`.
 struct tyre_forces {
   symbolic::expression load{}, longitudinal_force{}, lateral_force{}, aligning_moment{};
   symbolic::expression longitudinal_slip{}, lateral_slip{}, sine_of_camber{};

@@ -32,10 +32,11 @@ public:
   }
   /// A conical wheel on a straight rail.
   wheel_on_ground wheel_on_rail(const wheel_data& wheel, const rail_data& rail);
-  /// The distance by which the undeformed wheel overlaps the ground; negative if the wheel is above.
+  /// The distance by which the undeformed wheel overlaps the ground, in m; negative if the wheel is above.
   expression penetration_of(const wheel_on_ground& wheel);
-  /// The lowest point of a wheel, as a material point of the wheel. If `penetration_of` the wheel is zero, it
-  /// touches the ground there, and it rolls without slip if the velocity of this point is that of the ground.
+  /// The point of a wheel that is deepest in the ground, on flat ground its lowest, as a material point of
+  /// the wheel. The wheel touches the ground at this point if its `penetration_of` is zero, and rolls without
+  /// slip if the velocity of the point is that of the ground.
   point_id contact_point(std::string_view called, const wheel_on_ground& wheel);
 
 protected:
@@ -43,6 +44,8 @@ protected:
   ~wheel_builder() = default;
 
 private:
+  /// Whether a wheel is of this builder and has no mistake.
+  bool is_right(std::string_view asking, const wheel_on_ground& wheel);
   wheel_on_ground wheel_on(const wheel_data& wheel, point_id ground);
   wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
                                   int steps);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/name.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/wheel_contact.hpp>
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/loads/wheel_shapes.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/building/wheel_builder.hpp>
 #include <kanexpr/runtime/building/wheel_data.hpp>
@@ -54,13 +56,21 @@ KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_rail(const wheel_data& wh
   return w;
 }
 
+KANEXPR_ENGINE bool wheel_builder::is_right(std::string_view asking, const wheel_on_ground& wheel) {
+  if (!owns_wheel(asking, wheel)) return false;
+  const mechanics::contents held(*m_.g);
+  mechanics::load_check check(m_, held);
+  wheel.check_with(check, "the wheel");
+  return !check.mistake() || checks_.fail({check.mistake().view()});
+}
+
 KANEXPR_ENGINE expression wheel_builder::penetration_of(const wheel_on_ground& wheel) {
-  if (has_mistake() || !owns_wheel("the penetration of a wheel", wheel)) return m_.zero();
+  if (has_mistake() || !is_right("the penetration of a wheel", wheel)) return m_.zero();
   return wheel.contact(m_).penetration;
 }
 
 KANEXPR_ENGINE point_id wheel_builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
-  if (has_mistake() || !owns_wheel(called, wheel)) return {};
+  if (has_mistake() || !is_right(called, wheel)) return {};
   vector down;
   down.add(wheel.other, wheel.contact(m_).lowest);
   const point_id at = points_.offset(called, point_id{wheel.point}, down);

@@ -105,8 +105,8 @@ private:
     }
   }
 
-  /// The state variables that are near zero, such as the deflection of a tyre that is not driven. If nothing
-  /// else balances the rate of a state variable, other functions to which it contributes do.
+  /// The state variables that are near zero, such as the deflection of a tyre that is not driven. If the rate
+  /// of a state variable has no other terms, it is compared with those of another function that contains it.
   void size_state_variables() {
     const Eigen::VectorXd given = symbols_;
     for (int z = coordinates_ + speeds_; z < of_.states(); ++z) {

@@ -17,8 +17,10 @@ namespace kanexpr::symbolic {
 /// in a long text from `print`.
 KANEXPR_ENGINE std::string latex(const graph& g, int id, std::size_t longest = longest_text);
 KANEXPR_ENGINE std::string latex(expression e, std::size_t longest = longest_text);
+/// Writes several expressions, as `print_each`.
 KANEXPR_ENGINE text_with_parts latex_each(const sequence<expression>& all,
                                           std::size_t longest = longest_text);
+/// Writes a matrix as a `bmatrix` environment.
 KANEXPR_ENGINE std::string latex(const matrix& m, std::size_t longest = longest_text);
 
 } // namespace kanexpr::symbolic

@@ -28,7 +28,7 @@ KANEXPR_ENGINE std::string print(expression e, std::size_t longest = longest_tex
 /// Writes an expression within a sentence or a label, without its middle if it is long.
 KANEXPR_ENGINE std::string print_in_sentence(expression e);
 
-/// Writes several expressions with common parts, if they have more than `longest` characters together.
+/// Writes several expressions, with common named parts if they have more than `longest` characters together.
 KANEXPR_ENGINE text_with_parts print_each(const sequence<expression>& all,
                                           std::size_t longest = longest_text);
 

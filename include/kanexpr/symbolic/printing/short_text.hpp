@@ -15,7 +15,7 @@
 namespace kanexpr::symbolic {
 
 /// Writes an expression for a message, in constant expressions, too: as `print`, but in the order of the
-/// graph, and shortened in the middle. A text of more than `most_nodes` nodes ends there.
+/// graph, and shortened in the middle. Only the first `most_nodes` nodes are written.
 class short_text {
 public:
   constexpr short_text(const graph& g, int id) : g_(g) { write(id, sum); }

@@ -43,7 +43,7 @@ inline std::string decimal(const number& n) {
 /// The traversal shared by all printed forms. A form provides the text of the `product` of a side, the
 /// `quotient` of two sides, a `function`, a symbol (`name_of`), a number (`number_of`), the `exponent` of a
 /// node, the `power` of two strings, a condition with two branches (`conditional_of`), a node with an
-/// exponent (`raised`), a text `in_parentheses`, and the `name_of_part`.
+/// exponent (`raised`), a text `in_parentheses`, the `name_of_part`, and a text `with_definitions` of parts.
 template <class Form>
 class writer {
 public:

@@ -15,6 +15,8 @@ namespace detail {
 struct sign_range {
   int least = -1, greatest = 1;
 
+  constexpr bool is_zero() const { return least == 0 && greatest == 0; }
+
   constexpr sign_range operator-() const { return {-greatest, -least}; }
   constexpr sign_range operator+(const sign_range& other) const {
     sign_range sum;
@@ -24,6 +26,7 @@ struct sign_range {
     return sum;
   }
   constexpr sign_range operator*(const sign_range& other) const {
+    if (is_zero() || other.is_zero()) return {0, 0};
     if (greatest <= 0) return -(-*this * other);
     if (other.greatest <= 0) return -(*this * -other);
     if (least < 0 || other.least < 0) return {};
