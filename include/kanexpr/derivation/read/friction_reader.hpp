@@ -65,7 +65,7 @@ private:
     const mechanics::vector axis = by_.vector(r_.value, "the axis of ");
     const expression slip = by_.scalar(r_.angle, "the speed of ");
     if (by_.has_mistake()) return;
-    check(normal, law);
+    check_values(normal, law);
     if (by_.has_mistake()) return;
     if (by_.state().for_units) return expect_units(normal, law);
     by_.state().hides_units = true; // a slip speed may be a number
@@ -79,12 +79,12 @@ private:
     }
   }
 
-  constexpr void check(expression normal, const mechanics::friction_law& law) {
+  constexpr void check_values(expression normal, const mechanics::friction_law& law) {
     const mechanics::contents held(*by_.model().g);
-    mechanics::load_check check(by_.model(), held);
-    check.check_not_negative(normal, "the normal force of ", by_.whom);
-    law.check_with(check, by_.whom);
-    by_.state().mistake = check.mistake();
+    mechanics::load_check by(by_.model(), held);
+    by.check_not_negative(normal, "the normal force of ", by_.whom);
+    law.check_with(by, by_.whom);
+    by_.state().mistake = by.mistake();
   }
 
   /// States the units of the friction in a joint, whose slip speed may be a number.

@@ -148,9 +148,9 @@ private:
     mechanics::vector lowest;
     if (!reading_.mistake) {
       const mechanics::contents held(*m_.g);
-      mechanics::load_check check(m_, held);
-      w.check_with(check, "the wheel");
-      reading_.mistake = check.mistake();
+      mechanics::load_check by(m_, held);
+      w.check_with(by, "the wheel");
+      reading_.mistake = by.mistake();
     }
     if (reading_.mistake) return is_vector(wanted) ? value::of(lowest) : value::of(m_.zero());
     const mechanics::wheel_contact at = w.contact(m_);

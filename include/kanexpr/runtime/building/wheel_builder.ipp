@@ -59,9 +59,9 @@ KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_rail(const wheel_data& wh
 KANEXPR_ENGINE bool wheel_builder::is_right(std::string_view asking, const wheel_on_ground& wheel) {
   if (!owns_wheel(asking, wheel)) return false;
   const mechanics::contents held(*m_.g);
-  mechanics::load_check check(m_, held);
-  wheel.check_with(check, "the wheel");
-  return !check.mistake() || checks_.fail({check.mistake().view()});
+  mechanics::load_check by(m_, held);
+  wheel.check_with(by, "the wheel");
+  return !by.mistake() || checks_.fail({by.mistake().view()});
 }
 
 KANEXPR_ENGINE expression wheel_builder::penetration_of(const wheel_on_ground& wheel) {
