@@ -25,9 +25,9 @@ constexpr expression tanh_over_root(expression z) {
   constexpr std::int64_t series[][2]{{21844, 6081075}, {-1382, 155925}, {62, 2835}, {-17, 315},
                                      {2, 15},          {-1, 3},         {1, 1}};
   const auto term = [&](int i) { return z.number(symbolic::exactly(series[i][0], series[i][1])); };
-  const expression limit = z.number(symbolic::exactly(1, 100)), small = (symbolic::min)(z, limit);
+  const expression limit = z.number(symbolic::exactly(1, 100)), bounded = (symbolic::min)(z, limit);
   expression sum = term(0);
-  for (int i = 1; i < 7; ++i) sum = sum * small + term(i); // does not overflow in single precision
+  for (int i = 1; i < 7; ++i) sum = sum * bounded + term(i); // does not overflow in single precision
   const expression root = sqrt(z), ratio = tanh(root) / root;
   return symbolic::if_positive(z - limit, ratio, sum);
 }
