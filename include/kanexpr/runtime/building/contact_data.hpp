@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/friction_law.hpp>
+#include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/runtime/building/number_or_expression.hpp>
 
 #include <optional>
@@ -27,7 +28,7 @@ struct contact_data {
   mechanics::rotation_resistance rolling{}, spinning{};
   /// A direction along which the friction is multiplied by `ratio`, as `directional_friction<…>`.
   struct different_friction {
-    vector direction{};
+    mechanics::vector direction{};
     number_or_expression ratio;
   };
   std::optional<different_friction> directional{};
