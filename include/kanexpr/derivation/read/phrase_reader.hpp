@@ -348,8 +348,7 @@ private:
     if (is_displaced_)
       return reading_.fail({reading_.part, whom, " uses ",
                             t.load->wheel != nullptr ? "penetration_of" : "length_of",
-                            ", which systems with reactions<...> do not support in "
-                            "constraints",
+                            ", which systems with reactions<...> do not support in constraints",
                             t.load->wheel != nullptr ? "" : "; write magnitude(position_of<P, Q>)"});
     if (!is_of_position(t) && reading_.known == nullptr && !reading_.for_units)
       return reading_.fail({reading_.part, whom,
