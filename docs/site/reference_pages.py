@@ -54,7 +54,7 @@ PAGES = [
     ("flexible-bodies", "Flexible bodies", "Flexible bodies given by numbers, from files.",
      "describe/flexible/*.hpp flexible/*.hpp flexible/*/*.hpp"),
     ("run-time", "At run time", "Models derived at run time, which can be printed and evaluated, and models without types.",
-     "runtime/model.hpp runtime/builder.hpp runtime/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
+     "runtime/model.hpp runtime/builder.hpp runtime/*.hpp runtime/building/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
     ("export", "Export", "Models as C, CasADi functions and FMUs.", "exporting/*.hpp exporting/*/*.hpp"),
 ]
 

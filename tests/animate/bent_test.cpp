@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Pictures of beams: the stations are those of its sections, and what is wrong is reported.
 #include "animate/samples.hpp"
 

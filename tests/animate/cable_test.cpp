@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Cables along pathways: their places are those of the shortest lines.
 #include "animate/samples.hpp"
 
@@ -8,6 +9,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -105,6 +107,30 @@ TEST(cable, is_part_of_the_default_picture) {
   const animation::shape* drum = a.find("cylinder of the cable from Rim to Far");
   ASSERT_NE(drum, nullptr);
   EXPECT_NEAR(std::abs(drum->placement_at(2).orientation(2, 2)), 1, 1e-15);
+}
+
+using Winding = around_cone<N, O, N::z, 0.2, Rim, Far, wrapping::counterclockwise>;
+struct Wound : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<simple>, bodies<Bob>,
+                           loads<force_along<Winding, T>>> {};
+
+TEST(cable, shows_its_cone_in_the_default_picture) {
+  tests::samples<Wound> run;
+  run.p[r] = 0.3;
+  for (const double angle : {-2.0, -1.5, 0.3}) run.all.push_back({angle, {{q, angle}, {u, 0}}, {{T, 1}}});
+  const animation a = animated(derive<Wound>(), run);
+  ASSERT_TRUE(a) << a.cause();
+  const animation::shape *cable = a.find("cable from Rim to Far"),
+                         *cone = a.find("cone of the cable from Rim to Far");
+  ASSERT_NE(cable, nullptr);
+  ASSERT_NE(cone, nullptr);
+  EXPECT_EQ(cone->kind, "cone");
+  EXPECT_NEAR(cone->sizes[0], cone->sizes[1] * std::tan(0.97 * 0.2), 1e-15);
+  EXPECT_LT(cone->placement_at(1).position.norm(), 1e-15); // the tip
+  EXPECT_NEAR(cone->placement_at(1).orientation(2, 2), 1, 1e-15);
+  double deepest = 0;
+  for (const animate::placement& each : cable->placements) deepest = std::max(deepest, each.position.z());
+  EXPECT_NEAR(cone->sizes[1], 1.1 * deepest, 1e-14);
+  EXPECT_GT(deepest, 0.499);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// builds: clang++ all
 #include "animate/samples.hpp"
 #include "animate/swept_shapes.hpp"
 

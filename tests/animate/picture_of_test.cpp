@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Default pictures: which shapes are chosen for a model, their sizes and where they are.
 #include "animate/samples.hpp"
 #include "models/double_pendulum.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The units of a model on pages.
 #include "animate/samples.hpp"
 #include "units/pendulum_on_cart.hpp"

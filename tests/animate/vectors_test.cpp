@@ -1,3 +1,4 @@
+// builds: clang++ all
 #include "animate/samples.hpp"
 
 #include <kanexpr/animate.hpp>
@@ -167,6 +168,48 @@ struct Rolling
 using picture = kanexpr::picture<Rolling, up<N::y>, show<sphere<C, r>>, show_forces<"N">>;
 
 } // namespace on_a_slope
+
+namespace on_a_cable {
+
+using namespace kanexpr;
+
+struct Q : offset<Q, O, 3.0 * N::x + 4.0 * N::y> {};
+struct Eye : offset<Eye, O, 3.0 * N::x> {};
+using Cable = through<P, Eye, Q>;
+struct Hanging : kane_system<inertial<N>, coordinates<s>, speeds<v>, kinematics<dot(s) == v>, bodies<Bead>,
+                             loads<linear_spring<Cable, 10, 3.0>, spring<P, Q, 7, 2.0>, damper<P, O, 2>>> {};
+using picture = kanexpr::picture<Hanging, up<N::y>, show<sphere<P, 0.1>>, show_forces<"N">>;
+
+} // namespace on_a_cable
+
+/// A cable and a spring pull their ends together; a damper resists their motion.
+TEST(vectors, are_the_tensions_of_cables_springs_and_dampers) {
+  using namespace on_a_cable;
+  tests::samples<Hanging> run;
+  run.all.push_back({0.0, {{s, 1.0}, {v, -0.5}}, {}});
+  const animation a = animated<on_a_cable::picture>(run);
+  ASSERT_TRUE(a) << a.cause();
+  struct arrow_at {
+    const char* name;
+    Vector3d from, vector;
+  };
+  const Vector3d p(1, 0, 0), end(3, 4, 0), along = (end - p).normalized();
+  const double pulled = 7 * ((end - p).norm() - 2);
+  const std::vector<arrow_at> wanted{
+      {"tension at P", p, {30, 0, 0}},     {"tension at Q", end, {0, -30, 0}},
+      {"tension at P", p, pulled * along}, {"tension at Q", end, -pulled * along},
+      {"tension at P", p, {1, 0, 0}},      {"tension at O", {0, 0, 0}, {-1, 0, 0}}};
+  std::vector<const animation::shape*> found;
+  for (const animation::shape& each : a.shapes)
+    if (each.name.starts_with("tension")) found.push_back(&each);
+  ASSERT_EQ(found.size(), wanted.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i]->name, wanted[i].name);
+    EXPECT_EQ(found[i]->layer, "Forces");
+    EXPECT_LT((found[i]->placements[0].position - wanted[i].from).norm(), 1e-14) << i;
+    EXPECT_LT((found[i]->placements[0].end - wanted[i].vector).norm(), 1e-12) << i;
+  }
+}
 
 /// At rest, the contact is pressed by k δ; the friction opposes the slip.
 TEST(vectors, are_the_forces_of_contacts) {

@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 #include "no_heap.hpp"
 
 #include <kanexpr/batch.hpp>

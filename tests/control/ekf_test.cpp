@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The extended Kalman filter of a cart with a pendulum.
 #include "control/matrices.hpp"
 #include "control/references.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // Linear-quadratic regulators compared with those of SciPy, refined to full accuracy. references.py reports
 // the errors of SciPy.
 // builds: clang++ sanitize

@@ -27,7 +27,7 @@ using kanexpr::derivation::request;
 using kanexpr::derivation::stage;
 using kanexpr::mechanics::quantity;
 
-std::unique_ptr<image> store(const derived_system& system) {
+std::unique_ptr<image> store(derived_system& system) {
   auto stored = std::make_unique<image>();
   system.write(*stored);
   return stored;
@@ -85,7 +85,7 @@ TYPED_TEST(image_of, a_stage_taken_up_again_is_the_same_when_set_aside) {
     advance(straight, to);
     ASSERT_FALSE(straight.mistake()) << straight.mistake();
     const auto stored = store(straight);
-    const derived_system again(TypeParam::record, *stored);
+    derived_system again(TypeParam::record, *stored);
     expect_same(*stored, *store(again));
   }
 }

@@ -1,3 +1,4 @@
+// builds: all
 // Beams from words: the same systems as those from a builder.
 #include "systems/beams.hpp"
 

@@ -161,25 +161,77 @@ TEST(blocks, have_pi_controllers) {
   EXPECT_NEAR(bounded_rate, 0.7 * e + (limited - v) / 0.5, 1e-12);
 }
 
-/// The transfer function of the delay from its state matrix, and the Padé approximant of e^(−s).
+double factorial(int k) { return std::tgamma(k + 1.0); }
+
+/// The Padé approximant of e^(−s) of degree n − 1 above and n below.
+std::complex<double> pade(int n, std::complex<double> s) {
+  std::complex<double> above = 0, below = 0;
+  for (int k = 0; k <= n; ++k) {
+    const double common = factorial(2 * n - 1 - k) / factorial(k);
+    if (k < n) above += common * factorial(n - 1) / factorial(n - 1 - k) * std::pow(-s, k);
+    below += common * factorial(n) / factorial(n - k) * std::pow(s, k);
+  }
+  return above / below;
+}
+
+/// The transfer function of the delay from its state matrix.
 TEST(blocks, delay_by_pade) {
   constexpr int n = 6;
   const auto [A, B] = kanexpr::linearization<System>::explicit_form(some_state(), some_parameters(),
                                                                     kanexpr::input_values<System>{{r, 1}});
   const Eigen::Matrix<double, n, n> own = A.block<n, n>(3, 3);
   const Eigen::Vector<double, n> by_filter = A.block<n, 1>(3, 2);
-  const auto factorial = [](int k) { return std::tgamma(k + 1.0); };
   for (const std::complex<double> s : {std::complex<double>(0.3, 2), std::complex<double>(0, 5)}) {
     const Eigen::Matrix<std::complex<double>, n, n> left =
         s / 0.4 * Eigen::Matrix<std::complex<double>, n, n>::Identity() - own;
     const std::complex<double> found = left.lu().solve(by_filter.cast<std::complex<double>>()).sum();
-    std::complex<double> above = 0, below = 0;
-    for (int k = 0; k <= n; ++k) {
-      const double common = factorial(2 * n - 1 - k) / factorial(k);
-      if (k < n) above += common * factorial(n - 1) / factorial(n - 1 - k) * std::pow(-s, k);
-      below += common * factorial(n) / factorial(n - k) * std::pow(s, k);
+    EXPECT_LE(std::abs(found - pade(n, s)), 1e-12);
+  }
+}
+
+/// The same for every order, from the equations of a builder.
+TEST(blocks, delay_by_pade_of_every_order) {
+  using kanexpr::symbolic::matrix;
+  for (int n = 1; n <= 9; ++n) {
+    SCOPED_TRACE(n);
+    kanexpr::runtime::builder b("N");
+    const auto at = b.coordinate("q"), velocity = b.speed("u"), given = b.input("r"), time = b.parameter("T");
+    b.kinematic_equation(b.dot(at) - velocity);
+    const auto point = b.offset("P", b.origin("O"), b.along(b.inertial_frame(), at, 0, 0));
+    b.particle("Cart", point, b.number(2));
+    const auto late = b.delay("Late", n, given, time);
+    b.force(point, b.along(b.inertial_frame(), late, 0, 0));
+    auto model = kanexpr::derive(b);
+    ASSERT_EQ(model.mistake(), "");
+    auto rates = model.function(model.get(kanexpr::mechanics::quantity::rhs));
+    matrix output(b.graph(), 1, 1);
+    output(0, 0) = late;
+    auto result = model.function(output);
+    const double T_given = 0.4;
+    const Eigen::VectorXd p = Eigen::VectorXd::Constant(1, T_given), none = Eigen::VectorXd::Zero(1),
+                          one = Eigen::VectorXd::Ones(1);
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(2 + n);
+    // the equations are linear, so their matrices are differences
+    const Eigen::VectorXcd by_input =
+        Eigen::VectorXd(Eigen::VectorXd(rates(rest, p, one)) - Eigen::VectorXd(rates(rest, p, none)))
+            .tail(n)
+            .cast<std::complex<double>>();
+    Eigen::MatrixXcd own(n, n), seen(1, n);
+    for (int k = 0; k < n; ++k) {
+      Eigen::VectorXd x = rest;
+      x(2 + k) = 1;
+      own.col(k) = Eigen::VectorXd(rates(x, p, none)).tail(n).cast<std::complex<double>>();
+      seen(0, k) = result(x, p, none)(0);
     }
-    EXPECT_LE(std::abs(found - above / below), 1e-12);
+    for (const std::complex<double> s : {std::complex<double>(0.3, 2), std::complex<double>(0, 5)}) {
+      const Eigen::MatrixXcd left = s / T_given * Eigen::MatrixXcd::Identity(n, n) - own;
+      const std::complex<double> found = (seen * left.lu().solve(by_input))(0);
+      EXPECT_LE(std::abs(found - pade(n, s)), 1e-12);
+    }
+    // the approximant differs from e^(−s) by about s^(2 n) n! (n − 1)!/((2 n)! (2 n − 1)!)
+    const double s = 0.5, rest_of_series = std::pow(s, 2 * n) * factorial(n) * factorial(n - 1) /
+                                           (factorial(2 * n) * factorial(2 * n - 1));
+    EXPECT_LE(std::abs(pade(n, s) - std::exp(-s)), rest_of_series + 1e-15);
   }
 }
 

@@ -90,6 +90,62 @@ TEST(contact_words, mean_the_same_as_in_a_builder) {
   expect_same(derive<words>(), derive(s));
 }
 
+// The friction under a skate: the forces of all slips form an ellipse, whose axes are those of the blade.
+TEST(contact_words, with_a_direction_of_friction) {
+  using Ice = contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>, dissipation<v>,
+                      coulomb_friction<mu, 0.1>, directional_friction<2 * N::x + N::y, 0.3>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.1};
+  data.damping = s.approach;
+  data.friction = friction_law::coulomb(s.coefficient, s.number(0.1));
+  data.directional = {s.along(s.n, 2, 1, 0), 0.3};
+  s.sphere_on_plane(s.c, s.b, s.radius, s.o, s.along(s.n, 0, 0, 1), data);
+  expect_same(derive<thrown<Ice>>(), derive(s));
+
+  model words = derive<thrown<Ice>>();
+  auto force = words.function(words.get<friction_force_of<Ice>>()),
+       normal = words.function(words.get<normal_force_of<Ice>>());
+  std::mt19937_64 source(5);
+  std::uniform_real_distribution<double> values(0.1, 0.6);
+  for (int i = 0; i < 10; ++i) {
+    VectorXd state = VectorXd::NullaryExpr(6, [&] { return values(source) - 0.3; });
+    state(1) = 0.2;
+    const VectorXd p{{1, 0.6, 50, 0.7, 0.4}};
+    const double slip = state(3) - 0.6 * state(5), along = 2 * slip / std::sqrt(5),
+                 across = -slip / std::sqrt(5);
+    const double size = std::sqrt(0.09 * along * along + across * across + 0.01);
+    const double factor = -0.7 * normal(state, p)(0) / size;
+    const VectorXd f = force(state, p);
+    EXPECT_NEAR(f(0), factor * (0.09 * along * 2 - across) / std::sqrt(5), 1e-12 * f.norm());
+    EXPECT_NEAR(f(1), factor * (0.09 * along + across * 2) / std::sqrt(5), 1e-12 * f.norm());
+    EXPECT_NEAR(f(2), 0, 1e-15);
+    EXPECT_LE(f(0) * slip, 0);
+  }
+}
+
+// A skate whose bristles hold it across the blade: the power of the force is that of the bristles under the
+// stretched slip.
+TEST(contact_words, with_bristles_and_a_direction) {
+  using Ice = contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>,
+                      lugre_friction<0.7, mu, 0.3, 20, 0.2, 0.1>, directional_friction<N::x, 0.3>>;
+  using Plain = contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>,
+                        lugre_friction<0.7, mu, 0.3, 20, 0.2, 0.1>>;
+  model skate = derive<thrown<Ice>>(), plain = derive<thrown<Plain>>();
+  ASSERT_EQ(skate.mistake(), "");
+  auto force = skate.function(skate.get<friction_force_of<Ice>>()), rates = skate.function(skate.rhs()),
+       of_plain = plain.function(plain.get<friction_force_of<Plain>>()),
+       rates_of_plain = plain.function(plain.rhs());
+  const VectorXd p{{1, 0.6, 50, 0.5, 0.4}};
+  VectorXd state{{0.1, 0.2, 0.3, 0.5, 0.1, -0.2, 0.02, -0.01}};
+  const VectorXd f = force(state, p), rate = rates(state, p);
+  state(3) *= 0.3, state(5) *= 0.3; // the slip along x
+  const VectorXd stretched = of_plain(state, p), rate_of_plain = rates_of_plain(state, p);
+  EXPECT_NEAR(f(0), 0.3 * stretched(0), 1e-12);
+  EXPECT_NEAR(f(1), stretched(1), 1e-12);
+  EXPECT_NEAR(rate(6), rate_of_plain(6), 1e-12);
+  EXPECT_NEAR(rate(7), rate_of_plain(7), 1e-12);
+}
+
 TEST(contact_words, of_a_torus_and_a_point) {
   using words = thrown<contact<torus_on_plane<C, B::y + 0.1 * B::z, r, 0.1, O, 2 * N::z, B>, elastic<k>,
                                smoothed_over<0.1>, dissipation<v>, stribeck_friction<0.7, mu, 0.1, 0.05>>,

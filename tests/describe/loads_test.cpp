@@ -239,9 +239,9 @@ TEST(loads, at_stops) {
   constexpr auto one_sided = max(beyond - 0.001, 0);
   constexpr auto t = clamp(beyond / 0.001, 0, 1);
   constexpr auto elastic = k * (0.001 * t * t * t * (1 - t / 2) + one_sided);
-  using stopped = arm<stop<given_length<q2>, 0, 0.6, k, 0.2, 0.001>>;
+  using stopped = arm<stop<given_length<q2>, 0.0, 0.6, k, 0.2, 0.001>>;
   expect_same_motion<stopped, arm<torque_between<B, A, -elastic * (1 + 0.2 * u2) * A::x>>>();
-  expect_same_motion<stopped, arm<stop<given_length<q2>, 0, 0.6, k, rational<1, 5>, 0.001>>>();
+  expect_same_motion<stopped, arm<stop<given_length<q2>, 0.0, 0.6, k, rational<1, 5>, 0.001>>>();
   expect_same_motion<arm<stop<given_length<q2>, 0.1, 0.6, k, 0.2>>,
                      arm<stop<given_length<q2>, 0.1, 0.6, k, 0.2, 0.0005>>>();
 }

@@ -1,4 +1,7 @@
 // The contact points of wheels as words, compared with written points and with a builder.
+#include <kanexpr/mechanics/loads/wheel_contact.hpp>
+#include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic.hpp>
 #include <kanexpr/tyres.hpp>
@@ -124,6 +127,88 @@ TEST(wheels, as_words_are_those_of_a_builder) {
             rail.forces);
   expect_same(derive<rim::System<conical_wheel<G, L::y, r, 0.1, L>, straight_rail<O, 2 * N::x, N::z, 0.3>>>(),
               derive(rail), 8, 1);
+}
+
+/// A wheel that rolls on any ground.
+namespace rim {
+template <class Wheel, class Ground>
+struct touching : contact_point<touching<Wheel, Ground>, Wheel, Ground> {};
+template <class Wheel, class Ground>
+struct Rolling
+    : kane_system<inertial<N>, coordinates<x, z, yaw, lean>, speeds<vx, vz, wyaw, wlean>, kinematics<simple>,
+                  parameters<r>, configuration_constraints<penetration_of<Wheel, Ground> == 0>,
+                  velocity_constraints<dot(velocity_of<touching<Wheel, Ground>>, N::x) == 0>,
+                  dependent<z, vz, vx>, bodies<Body>, loads<gravity<-9.81 * N::z>>> {};
+
+/// The same system from a builder.
+model rolling(built& b, const runtime::wheel_on_ground& wheel) {
+  b.configuration_constraint(b.penetration_of(wheel));
+  const auto contact = b.contact_point("Touching", wheel);
+  mechanics::known_motion known(b.mechanism());
+  b.velocity_constraint(b.velocity_of(contact, known), b.along(b.n, 1, 0, 0));
+  b.dependent(b.z);
+  b.dependent(b.mechanism().speeds[1]);
+  b.dependent(b.mechanism().speeds[0]);
+  b.gravity(b.along(b.n, 0, 0, -9.81));
+  return derive(b);
+}
+} // namespace rim
+
+TEST(contact_points, on_a_slope_are_those_of_a_plane) {
+  using namespace rim;
+  using round = toroidal_wheel<G, L::y, r, 0.05, L>;
+  expect_same(derive<Rolling<round, uneven_ground<O, N, 0.2 * surface::x, 1>>>(),
+              derive<Rolling<round, flat_ground<O, N::z - 0.2 * N::x>>>(), 8, 1);
+}
+
+TEST(contact_points, on_uneven_ground_and_rails_are_those_of_a_builder) {
+  using namespace rim;
+  built uneven, rail;
+  expect_same(
+      derive<Rolling<toroidal_wheel<G, L::y, r, 0.05, L>, uneven_ground<O, N, 0.1 * sin(2 * surface::x)>>>(),
+      rolling(uneven, uneven.wheel_on_surface(uneven.wheel(0.05, 0), uneven.o, uneven.n,
+                                              [](auto across, auto) { return 0.1 * sin(2 * across); })),
+      8, 1);
+  expect_same(derive<Rolling<conical_wheel<G, L::y, r, 0.1, L>, straight_rail<O, 2 * N::x, N::z, 0.3>>>(),
+              rolling(rail, rail.wheel_on_rail(rail.wheel(0, 0.1), {rail.o, rail.along(rail.n, 2, 0, 0),
+                                                                    rail.along(rail.n, 0, 0, 1), 0.3})),
+              8, 1);
+}
+
+// While a wheel touches the ground, its lowest point moves into the ground as fast as the penetration grows.
+TEST(contact_points, sink_as_fast_as_the_penetration_grows) {
+  using namespace rim;
+  for (const bool is_on_rail : {false, true}) {
+    built b;
+    const auto wheel =
+        is_on_rail
+            ? b.wheel_on_rail(b.wheel(0, 0.1), {b.o, b.along(b.n, 2, 0, 0), b.along(b.n, 0, 0, 1), 0.3})
+            : b.wheel_on_surface(
+                  b.wheel(0.05, 0), b.o, b.n,
+                  [](auto across, auto along) { return 0.1 * sin(across) + 0.1 * along * along; }, 4);
+    const auto contact = b.contact_point("Touching", wheel);
+    mechanics::known_motion known(b.mechanism());
+    runtime::vector normal;
+    normal.add(wheel.other, wheel.contact(b.mechanism()).normal);
+    symbolic::matrix all(b.graph(), 3, 1);
+    all.entries[0] = b.penetration_of(wheel);
+    all.entries[1] = b.derivative(all.entries[0], known);
+    all.entries[2] = b.dot(b.velocity_of(contact, known), normal);
+    model m = derive(b);
+    ASSERT_EQ(m.mistake(), "");
+    auto function = m.function(all);
+    std::mt19937_64 source(7);
+    std::uniform_real_distribution<double> values(-0.3, 0.3);
+    for (int i = 0; i < 10; ++i) {
+      VectorXd state = VectorXd::NullaryExpr(8, [&] { return values(source); });
+      const VectorXd radius = VectorXd::Constant(1, 0.4);
+      state(1) = 0.5;
+      for (int k = 0; k < 60; ++k) state(1) += function(state, radius)(0);
+      const VectorXd found = function(state, radius);
+      EXPECT_NEAR(found(0), 0, 1e-12);
+      EXPECT_NEAR(found(1), -found(2), 1e-9);
+    }
+  }
 }
 
 } // namespace

@@ -68,8 +68,12 @@ class Pages(unittest.TestCase):
 
     def test_words_for_forces(self):
         library = self.library() | MADE_UP | {"shapes", "Tmax", "gaps", "least", "greatest", "mu_s", "mu_d"}
-        rows = [line for line in (ROOT / "docs/coming-from/forces.md").read_text().splitlines() if line.startswith("| ")]
-        self.assertTrue(all(row.count(" |") == rows[0].count(" |") for row in rows), "a row has a cell too many")
+        page = (ROOT / "docs/coming-from/forces.md").read_text()
+        tables = [[line for line in table.splitlines() if line.startswith("| ")]
+                  for table in re.findall(r"(?:^\|.*\n)+", page, re.MULTILINE)]
+        for rows in tables:
+            self.assertTrue(all(row.count(" |") == rows[0].count(" |") for row in rows), "a row has a cell too many")
+        rows = [row for table in tables for row in table]
         for row in rows:
             named = {word for code in CODE.findall(row.rsplit(" | ", 1)[-1]) for word in WORD.findall(code)}
             self.assertEqual(named - library, set(), row)

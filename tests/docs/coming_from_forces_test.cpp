@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace {
 
@@ -103,5 +104,27 @@ struct System : kane_system<inertial<N>, coordinates<x>, speeds<v>, kinematics<s
 } // namespace cable
 
 TEST(forces_of_other_programs, loads_on_one_line) { docs::expect_no_mistake<cable::System>(); }
+
+namespace capstan {
+
+using namespace cable;
+constexpr parameter<"mu"> mu;
+constexpr parameter<"vs"> vs;
+#include <docs/coming-from/forces/capstan.cpp>
+
+} // namespace capstan
+
+// Toward the drum at (0, 1), the tension is smaller by exp(-mu pi/2), away from it larger.
+TEST(forces_of_other_programs, cable_on_a_rough_drum) {
+  using namespace capstan;
+  docs::expect_no_mistake<Pulled>();
+  using eom = equations_of_motion<Pulled>;
+  const eom::parameters p{{mu, 0.3}, {vs, 1e-3}};
+  for (const double speed : {-1.0, 1.0}) {
+    const double tension = 10 * std::exp(0.3 * std::numbers::pi / 2 * speed); // x > 0, so v > 0 moves away
+    const auto udot = eom::udot(eom::state{{x, 1}, {v, speed}}, p, eom::inputs{{F, 10}});
+    EXPECT_NEAR(udot(0), -tension / std::sqrt(2) / 2, 1e-12);
+  }
+}
 
 } // namespace

@@ -94,6 +94,14 @@ TEST(contact, friction_of_joints) {
                                     >>>();
 }
 
+TEST(contact, friction_with_a_direction) {
+  using namespace given;
+  expect_no_mistake<kane_system<inertial<Ground>, joints<Crank, Piston>,
+                                loads<
+#include <docs/guide/contact/directional.cpp>
+                                    >>>();
+}
+
 namespace quantities {
 
 using namespace given;

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Figures: docs/figures.md and the pages with figures. Each figure is the one that the code on its page
 // draws.
 #include "docs/joints_loop.hpp"

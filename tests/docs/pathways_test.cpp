@@ -55,6 +55,8 @@ struct N : inertial_ground<N> {};
 struct B : rotated<B, N, q1, N::z> {};
 struct C : offset<C, N, 0.5 * N::x> {};
 struct R : offset<R, C, 0.3 * B::y> {};
+struct D : offset<D, C, 1.0 * B::x> {};
+struct Eye : offset<Eye, C, 0.5 * B::x + 0.4 * B::y> {};
 struct S : offset<S, R, 0.4 * B::x + 0.1 * N::y> {};
 struct E : offset<E, C, r * N::x> {};
 struct P : offset<P, N, -q2 * N::x + 0.4 * N::z> {};
@@ -78,6 +80,14 @@ TEST(pathways, are_valid) {
 #include <docs/guide/pathways/laws.cpp>
       >>>();
 }
+
+namespace series {
+
+#include <docs/guide/pathways/series.cpp>
+
+TEST(pathways, in_series) { expect_no_mistake<system<loads<force_along<Around_both, F>>>>(); }
+
+} // namespace series
 
 namespace quantities {
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Pictures: docs/pictures.md.
 #include "models/double_pendulum.hpp"
 

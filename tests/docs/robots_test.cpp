@@ -1,3 +1,4 @@
+// builds: all
 // Robots from files: docs/robots.md, and their units: docs/guide/units.md.
 #include <arm_picture.hpp>
 

@@ -1,5 +1,6 @@
 // Derivation at run time: docs/guide/run-time.md and docs/guide/builder.md.
 #include "docs/printed.hpp"
+#include "models/double_pendulum.hpp"
 #include "models/rolling_disc_constrained.hpp"
 #include "models/simple_pendulum.hpp"
 
@@ -46,6 +47,18 @@ TEST(run_time, shows_the_steps) {
 }
 
 } // namespace disc
+
+TEST(run_time, names_parts_of_long_expressions) {
+  const docs::printed here;
+#include <docs/guide/run-time/parts.cpp>
+  const std::string text = here.text();
+  EXPECT_TRUE(text.starts_with("u' = [z6              ]\n     [z4*z5 - z3*z6*z5]\nwhere\n"
+                               "  z1 = d2*m2*cos(q1 + q2)\n  z2 = d2*m2*sin(q1 + q2)\n"
+                               "  z3 = l1*sin(q1)*z2 + l1*cos(q1)*z1\n"
+                               "  z4 = T2 - c2*(u2 - u1) - l1*u1^2*cos(q1)*z2 - z1*(g - l1*u1^2*sin(q1))\n"
+                               "  z5 = 1/(I2 + d2^2*m2)\n  z6 = "))
+      << text;
+}
 
 TEST(run_time, has_other_forms) {
   symbolic::graph graph;
@@ -105,12 +118,15 @@ TEST(builder, makes_a_sleigh) {
   b.kinematic_equation(b.dot(turned) - w);
   const auto ground = b.inertial_frame();
   const auto sleigh = b.rotated("Sleigh", ground, turned, b.along(ground, 0, 0, 1));
-  const auto blade = b.offset("Blade", b.origin("O"), b.along(ground, x, y, zero));
+  const auto o = b.origin("O"), blade = b.offset("Blade", o, b.along(ground, x, y, zero));
   const auto center = b.offset("G", blade, b.along(sleigh, 1, 0, 0));
   b.rigid_body("Body", center, sleigh, b.number(2), b.inertia(sleigh, zero, zero, b.number(1)));
 #include <docs/guide/builder/sleigh.cpp>
   EXPECT_EQ(constrained.mistake(), "");
   EXPECT_EQ(constrained.mass_matrix().rows, 2);
+#include <docs/guide/builder/tension.cpp>
+  EXPECT_EQ((b.check)().view(), "");
+  EXPECT_EQ(pull, 20.0 * (sqrt(x * x + y * y) - 0.1));
 }
 
 struct slider_crank : runtime::builder {

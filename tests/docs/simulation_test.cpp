@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Simulation: docs/simulation.md, except for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -16,6 +16,8 @@ namespace torus {
 
 #include <docs/guide/wheels/torus.cpp>
 
+#include <docs/guide/wheels/uneven.cpp>
+
 #include <docs/guide/wheels/grounds.cpp>
 
 constexpr speed<"wx"> wx;
@@ -32,6 +34,7 @@ struct free_torus : kane_system<inertial<N>, coordinates<q1, q2, q3, x, y, z>, s
 
 TEST(wheels, of_a_torus) {
   expect_no_mistake<Rolling>();
+  expect_no_mistake<RollingOnWaves>();
   expect_no_mistake<free_torus<hilly>>();
   expect_no_mistake<free_torus<on_rail>>();
 }

@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/ensemble.hpp>
 #include <models/pendulum_nonminimal.hpp>
 #include <models/rotating_tube.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // The contents of studies, their identities and mistakes.
 #include "ensembles/turning.hpp"
 

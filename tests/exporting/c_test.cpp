@@ -1,12 +1,15 @@
 // builds: all
 // The code of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled functions.
 #include <kanexpr/kanexpr.hpp>
+#include <kanexpr/symbolic.hpp>
 #include <models/bouncing_ball.hpp>
+#include <models/cornering_car.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/motor_arm.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/driven_wheel.hpp>
 #include <runtime/loaded_arm.hpp>
 #include <runtime/slewing_arm.hpp>
 
@@ -15,10 +18,14 @@
 #include <bouncing_ball.h>
 #include <bouncing_ball_in_float.h>
 #include <bound_pendulum.h>
+#include <cornering_car.h>
+#include <cornering_car_in_float.h>
 #include <curved.h>
 #include <curved_in_float.h>
 #include <disc.h>
 #include <disc_in_float.h>
+#include <driven_wheel.h>
+#include <driven_wheel_in_float.h>
 #include <four_bar.h>
 #include <iiwa.h>
 #include <iiwa_in_float.h>
@@ -151,6 +158,32 @@ TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, bouncing_ball::System>(bouncing_ball_in_float_udot);
   expect_same_udot<float, motor_arm::System>(motor_arm_in_float_udot);
   expect_same_udot<float, loaded_arm::System>(loaded_arm_in_float_udot);
+}
+
+/// Compares rates with interpreted ones where the state variables are positive, as the force of a tendon is.
+template <class Number, class System, class Udot>
+void expect_interpreted_udot(const Udot& written) {
+  calls<System, Number> at;
+  model m = derive<System>();
+  auto interpreted = m.function<Number>(m.udot());
+  int finite = 0;
+  for (int repetition = 0; repetition < 300; ++repetition) {
+    at.next();
+    at.x.z() = at.x.z().cwiseAbs();
+    std::vector<Number> found(static_cast<std::size_t>(equations_of_motion<System>::speeds));
+    written(Number(0), at.x.data(), at.p.data(), at.r.data(), found.data());
+    const auto expected = interpreted(at.x, at.p, at.r);
+    finite += expected.allFinite() ? 1 : 0;
+    expect_same_bits(found, expected);
+  }
+  EXPECT_GT(finite, 250);
+}
+
+TEST(C, HasTheBitsOfInterpretedTyresAndMuscles) {
+  expect_interpreted_udot<double, cornering_car::System>(cornering_car_udot);
+  expect_interpreted_udot<float, cornering_car::System>(cornering_car_in_float_udot);
+  expect_interpreted_udot<double, driven_wheel::System>(driven_wheel_udot);
+  expect_interpreted_udot<float, driven_wheel::System>(driven_wheel_in_float_udot);
 }
 
 TEST(C, HasTheBitsOfFunctionsInBothPrecisions) {

@@ -1,6 +1,7 @@
 """Uses FMUs through the functions of FMI 3.0, as a tool does: fmi_test.py FOLDER, with modules of the same models in fmus/modules."""
 
 import ctypes
+import importlib
 import math
 import pathlib
 import sys
@@ -383,6 +384,30 @@ for k in range(8):
     assert one.step(k / 8, 1 / 8)[0] == OK
 near(one.get("f"), [1 - math.exp(-4)], 1e-11)
 one.free()
+
+# Arms, cars and wheels with friction, tyres, contacts and muscles: rates and derivatives are those of the module in C.
+for name, count in (("loaded_arm", 6), ("cornering_car", 14), ("driven_wheel", 24)):
+    module, fmu = importlib.import_module(name), Fmu(name)
+    assert fmu.states == list(module.states) and len(fmu.states) == count
+    of_inputs = {each.replace("'", "_"): value for each, value in fmu.start.items()}  # as C names rates
+    p, r = ([of_inputs[each] for each in names] for names in (module.parameters, module.inputs))
+    one = exchange(fmu)
+    at_start = one.state()
+    for k in range(5):
+        x = [value + 0.02 * math.sin(k * (i + 1)) for i, value in enumerate(at_start)]
+        one.at(0, x)
+        near(one.rates()[-len(module.udot(x, p, r)):], module.udot(x, p, r), 1e-13)
+        A, _ = module.explicit_form(x, p, r)
+        for j in (0, count // 3, count - 2, count - 1):
+            near(one.product("Directional", fmu.rates, [fmu.states[j]], [1.0]), [row[j] for row in A], 1e-12)
+    one.free()
+    x, length = at_start, 1 / 1024
+    one = Instance(fmu, "CoSimulation").initialize()
+    for k in range(20):
+        [x] = [module.runge_kutta_4(x, length, p, r)]
+        assert one.step(k * length, length) == (OK, (k + 1) * length)
+        assert one.get(*fmu.states) == x, name
+    one.free()
 
 # Steps of a co-simulation are those of the module in C, to the last bit: with the time and an input, and with a
 # constraint and a quaternion.

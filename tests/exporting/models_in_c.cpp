@@ -8,16 +8,20 @@
 
 #include <models/appell_hamel.hpp>
 #include <models/bouncing_ball.hpp>
+#include <models/cornering_car.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/motor_arm.hpp>
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/driven_wheel.hpp>
 #include <runtime/loaded_arm.hpp>
 #include <runtime/slewing_arm.hpp>
 #include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
+
+#include <docs/guide/muscles/elbow.cpp>
 
 #include <iostream>
 
@@ -66,15 +70,36 @@ bool write_awkward(const char* folder) {
   return static_cast<bool>(kanexpr::write_casadi(b, folder, "a"));
 }
 
+/// A driven wheel with a tyre after the Magic Formula.
+bool write_wheel(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto x = b.coordinate("x"), angle = b.coordinate("angle"), v = b.speed("v"), spin = b.speed("spin"),
+             radius = b.parameter("R"), load = b.parameter("F"), torque = b.input("T");
+  b.kinematic_equation(b.dot(x) - v);
+  b.kinematic_equation(b.dot(angle) - spin);
+  const auto N = b.inertial_frame(), rim = b.rotated("Rim", N, angle, b.along(N, 0, 1, 0));
+  const auto O = b.origin("O"), hub = b.offset("Hub", O, b.along(N, x, 0, radius));
+  b.rigid_body("Wheel", hub, rim, b.number(2), b.inertia(rim, 0.1, 0.15, 0.1));
+  b.torque(rim, b.along(N, 0, torque, 0));
+  auto tyre = kanexpr::runtime::tyre_data::of_formula(
+      {.Fz0 = 1, .R0 = 1, .pCx1 = 1.6, .pDx1 = 1.1, .pEx1 = 0.3, .pKx1 = 20, .pKx3 = 0.2, .qsy1 = 0.01});
+  tyre.load = load, tyre.standstill = 0.5;
+  b.tyre(b.wheel_on_plane({hub, rim, b.along(N, 0, 1, 0), radius}, O, b.along(N, 0, 0, 1)), tyre);
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "wheel"));
+}
+
 bool write_for_casadi(const char* folder, const casadi_options& bound) {
   using namespace kanexpr;
   using System = n_pendulum_cart::System<1>;
 #include <docs/export/casadi/write.cpp>
-  return written && write_driven(folder) && write_awkward(folder) &&
+  return written && write_driven(folder) && write_awkward(folder) && write_wheel(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
          write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"}) &&
          write_casadi<motor_arm::System>(folder, "motor_arm", {.step = "runge_kutta_4"}) &&
-         write_casadi<loaded_arm::System>(folder, "loaded_arm", {.step = "runge_kutta_4"});
+         write_casadi<loaded_arm::System>(folder, "loaded_arm", {.step = "runge_kutta_4"}) &&
+         write_casadi<cornering_car::System>(folder, "cornering_car",
+                                             {.bound = {{"s", 4}}, .step = "runge_kutta_4"}) &&
+         write_casadi<elbow::System>(folder, "elbow");
 }
 
 bool is_whole(const kanexpr::exporting::written_fmu& written) {
@@ -146,6 +171,20 @@ bool write_motor_arm_fmu(const char* folder) {
   return is_whole(kanexpr::write_fmu<System>(folder, "motor_arm", chosen));
 }
 
+/// An arm, a car and a wheel on which loads of most kinds act.
+bool write_loaded_fmus(const char* folder) {
+  fmu_options arm, car, wheel;
+  arm.step = car.step = wheel.step = 1.0 / 1024;
+  arm.start = {{"k", 20}, {"c", 0.5}, {"mu", 0.4}, {"V", 3}};
+  car.start = {{"u", 20},    {"w_f", 66},    {"w_r", 67}, {"T", 100}, {"delta", 0.05}, {"m", 1500},
+               {"J", 2400},  {"g", 9.81},    {"a", 1.2},  {"b", 1.6}, {"R", 0.3},      {"mu", 0.9},
+               {"C_f", 9e4}, {"C_r", 1.1e5}, {"s", 0.4},  {"v0", 0.1}};
+  wheel.start = {{"k", 1e4}, {"mu", 0.9}, {"F", 300}, {"s", 0.2}, {"w", 2}, {"e", 0.3}, {"q_Frame", 0.3}};
+  return is_whole(kanexpr::write_fmu<loaded_arm::System>(folder, "loaded_arm", arm)) &&
+         is_whole(kanexpr::write_fmu<cornering_car::System>(folder, "cornering_car", car)) &&
+         is_whole(kanexpr::write_fmu<driven_wheel::System>(folder, "driven_wheel", wheel));
+}
+
 bool write_fmus(const char* folder, const options& of_bound) {
   const fmu_options bound{.outputs = of_bound.functions,
                           .bound = of_bound.bound,
@@ -167,7 +206,8 @@ bool write_fmus(const char* folder, const options& of_bound) {
          is_whole(kanexpr::write_fmu<four_bar::System>(folder, "four_bar", linked)) &&
          is_whole(kanexpr::write_fmu<appell_hamel::System>(folder, "appell_hamel", on_cone)) &&
          is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) && write_motor_arm_fmu(folder) &&
-         is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding));
+         is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding)) &&
+         write_loaded_fmus(folder);
 }
 
 } // namespace
@@ -193,12 +233,17 @@ int main(int, char** arguments) {
   steps.with_python = steps.with_cpp = true;
   steps.functions = {results("runge_kutta_4"), results("ralston_3"),
                      fixed_step("euler", {"semi_implicit_euler", 2})};
+  c_options loaded; // rates, derivatives and steps of systems with loads
+  loaded.with_python = true;
+  loaded.functions = {results("udot"), results("explicit_form"), results("runge_kutta_4")};
   return is_bound_written && write_for_casadi(folder, {bound.bound, "ralston_3"}) &&
                  write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
                  write<appell_hamel::System>(folder, "appell_hamel", steps) &&
                  write<motor_arm::System>(folder, "motor_arm", {}) &&
-                 write<loaded_arm::System>(folder, "loaded_arm", {}) &&
+                 write<loaded_arm::System>(folder, "loaded_arm", loaded) &&
+                 write<cornering_car::System>(folder, "cornering_car", loaded) &&
+                 write<driven_wheel::System>(folder, "driven_wheel", loaded) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&

@@ -1,3 +1,4 @@
+// builds: clang++
 // Exports of builders, and refused exports.
 #include <kanexpr/export.hpp>
 #include <kanexpr/fmi.hpp>

@@ -4,12 +4,14 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
 add_executable(exporting_models_in_c exporting/models_in_c.cpp)
 target_include_directories(exporting_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(exporting_models_in_c PRIVATE kanexpr::engine kanexpr::fmi kanexpr_strict kanexpr_snippets)
-set(for_casadi cart driven a bound_pendulum disc motor_arm loaded_arm)
+set(for_casadi cart driven a wheel bound_pendulum disc motor_arm loaded_arm cornering_car elbow)
 list(TRANSFORM for_casadi REPLACE "(.+)" "${folder}/\\1_casadi.c" OUTPUT_VARIABLE files_for_casadi)
-set(names iiwa iiwa_in_float curved curved_in_float slewing_arm slewing_arm_in_float bouncing_ball bouncing_ball_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum motor_arm motor_arm_in_float loaded_arm loaded_arm_in_float)
+set(names iiwa iiwa_in_float curved curved_in_float slewing_arm slewing_arm_in_float bouncing_ball bouncing_ball_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum motor_arm motor_arm_in_float loaded_arm loaded_arm_in_float
+  cornering_car cornering_car_in_float driven_wheel driven_wheel_in_float)
 set(names_of_steps sliding sliding_in_float bead bead_in_float appell_hamel appell_hamel_in_float)
 set(names_of_all ${names} ${names_of_steps})
-set(fmus bound_pendulum pendulum ball bead sliding strange lift four_bar appell_hamel motor_arm)
+set(fmus bound_pendulum pendulum ball bead sliding strange lift four_bar appell_hamel motor_arm loaded_arm cornering_car
+  driven_wheel)
 list(TRANSFORM fmus REPLACE "(.+)" "${folder}/\\1.fmu")
 list(TRANSFORM names_of_all REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
 add_custom_command(OUTPUT ${files} ${files_for_casadi} ${fmus} COMMAND exporting_models_in_c ${folder} DEPENDS exporting_models_in_c VERBATIM)
@@ -62,7 +64,7 @@ add_test(NAME exporting_cpp COMMAND sh -eu -c "
 
 # Functions as CasADi calls them, with the command of the guide
 add_test(NAME exporting_casadi COMMAND sh -eu -c "cd '${folder}'
-  for name in cart driven a disc motor_arm loaded_arm; do
+  for name in cart driven a wheel disc motor_arm loaded_arm cornering_car elbow; do
     sed \"s|cc |'${KANEXPR_C_COMPILER}' |; s|cart|$name|g\" '${CMAKE_CURRENT_BINARY_DIR}/docs/snippets/docs/export/casadi/compile.sh' |
       sh -eu
   done

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // What is drawn: positions, directions and names, read from the SVG.
 #include "models/double_pendulum.hpp"
 #include "models/rolling_disc.hpp"

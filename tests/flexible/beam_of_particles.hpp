@@ -4,8 +4,8 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/numeric/beams/shape.hpp>
-#include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/building/beam_data.hpp>
 
 #include <boost/math/quadrature/gauss.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Bodies from files at run time, compared with models of their particles.
 #include "flexible/beam_of_particles.hpp"
 #include "flexible/modes_file.hpp"

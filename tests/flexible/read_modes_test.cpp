@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // Flexible bodies from the modes of finite-element models, and the sentences that report invalid files.
 #include "flexible/modes_file.hpp"
 #include "flexible/sid_writer.hpp"

@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // Flexible bodies from files with standard input data, and the sentences that report invalid files.
 #include "flexible/lumped_body.hpp"
 #include "flexible/sid_writer.hpp"

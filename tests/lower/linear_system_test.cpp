@@ -1,3 +1,4 @@
+// builds: all
 // Solutions of linear systems as straight-line code: the same bits by every way of evaluation, for any
 // scalar. builds: sanitize no-exceptions Without -mavx a pack is returned in memory; that the flag would
 // change this is no concern of one program.

@@ -27,7 +27,8 @@ struct System : jointed<joints<Arm>, loads<friction<given_length<0.1 * q_of<Arm>
 void f() { use<System>(); }
 } // namespace b3
 
-// expect: which is for a joint that turns about one axis or slides along one
+// expect: which is for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides
+// expect: along one
 namespace b4 {
 struct Link : spherical<Link, Ground, mass> {};
 struct System : jointed<joints<Link>, loads<friction<Link, l, rough>>> {};

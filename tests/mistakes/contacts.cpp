@@ -49,7 +49,7 @@ void f() { use<System>(); }
 
 // expect: the contact between Arm and Ground has an argument that is neither elastic<...>,
 // expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...>,
-// expect: spinning_resistance<...> nor a law of friction
+// expect: spinning_resistance<...>, directional_friction<...> nor a law of friction
 namespace n7 {
 struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, gravity<Ground::z>>>> {};
 void f() { use<System>(); }
@@ -95,7 +95,8 @@ struct System : jointed<joints<Arm>, loads<friction<Arm, l>>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: which is for a joint that turns about one axis or slides along one
+// expect: which is for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides
+// expect: along one
 namespace n14 {
 struct Link : spherical<Link, Ground, mass> {};
 struct System : jointed<joints<Link>, loads<friction<Link, l, viscous_friction<1>>>> {};
@@ -170,3 +171,35 @@ using no_spin = contact<point_on_plane<Arm, Ground, Ground::z>, firm, thin, spin
 struct System : jointed<joints<Arm>, loads<no_spin>> {};
 void f() { use<System>(); }
 } // namespace n24
+
+// expect: the contact between Arm and Ground has a direction of friction, but no law of friction
+namespace n90 {
+using blade = directional_friction<Ground::x, 0.1>;
+struct System : jointed<joints<Arm>, loads<contact<sphere_on_plane<Arm, 0.1, Ground, Ground::y>, elastic<100>,
+                                                   smoothed_over<0.001>, blade>>> {};
+void f() { use<System>(); }
+} // namespace n90
+
+// expect: the direction of the friction of the contact between Arm and Ground is parallel to the normal
+namespace n91 {
+using blade = directional_friction<2 * Ground::y, 0.1>;
+struct System : jointed<joints<Arm>, loads<contact<sphere_on_plane<Arm, 0.1, Ground, Ground::y>, elastic<100>,
+                                                   smoothed_over<0.001>, viscous_friction<1>, blade>>> {};
+void f() { use<System>(); }
+} // namespace n91
+
+// expect: the ratio of the directional friction of the contact between Arm and Ground is not positive
+namespace n92 {
+using blade = directional_friction<Ground::x, -0.1>;
+struct System : jointed<joints<Arm>, loads<contact<sphere_on_plane<Arm, 0.1, Ground, Ground::y>, elastic<100>,
+                                                   smoothed_over<0.001>, viscous_friction<1>, blade>>> {};
+void f() { use<System>(); }
+} // namespace n92
+
+// expect: the contact between Arm and Ground lacks an argument; write directional_friction<vector, ratio>
+namespace n93 {
+using blade = directional_friction<Ground::x>;
+struct System : jointed<joints<Arm>, loads<contact<sphere_on_plane<Arm, 0.1, Ground, Ground::y>, elastic<100>,
+                                                   smoothed_over<0.001>, viscous_friction<1>, blade>>> {};
+void f() { use<System>(); }
+} // namespace n93

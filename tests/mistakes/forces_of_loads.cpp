@@ -3,6 +3,7 @@
 
 #include <kanexpr/blocks.hpp>
 #include <kanexpr/contact.hpp>
+#include <kanexpr/tyres.hpp>
 
 struct Tip : offset<Tip, Arm, l * Arm::x> {};
 struct Corner : offset<Corner, Ground, 0.7 * Ground::x + 0.4 * Ground::y> {};
@@ -236,3 +237,47 @@ struct System : jointed<joints<Arm, Fore>, reactions<Arm>,
                         configuration_constraints<length_of<straight<Fore, Corner>> == 1.0>> {};
 void f() { use<System>(); }
 } // namespace q31
+
+// expect: an expression uses lateral_force_of<...> of the contact between Arm and Ground, which is not a tyre
+namespace q32 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T>, touch>> {};
+void f() { want<lateral_force_of<touch>, System>(); }
+} // namespace q32
+
+// expect: an expression uses friction_force_of<...> of the tyre between Arm and Ground, which is not a
+// expect: contact
+namespace q33 {
+using rolls =
+    tyre<thin_wheel<Arm, Arm::z, 0.3>, flat_ground<Ground, Ground::x>, linear_tyre<9, 9>, standstill<1>>;
+struct System : jointed<joints<Arm>, loads<motor<Arm, T>, rolls>> {};
+void f() { want<friction_force_of<rolls>, System>(); }
+} // namespace q33
+
+// expect: loads<...> lists stops<-1, 1, 50, 2>, which is an argument of a joint, such as pin<...>
+namespace q34 {
+struct System : jointed<joints<Arm>, loads<stops<-1, 1, 50, 2>>> {};
+void f() { use<System>(); }
+} // namespace q34
+
+// expect: which is for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides
+// expect: along one
+namespace q35 {
+struct System : jointed<joints<Arm>, loads<friction<Tip, 1, viscous_friction<2>>>> {};
+void f() { use<System>(); }
+} // namespace q35
+
+// expect: the contact between Tip and Ground has a sphere whose center is a point; write its frame last, as
+// expect: in sphere_on_plane<Center, radius, Place, normal, Frame>
+namespace q36 {
+using small = sphere_on_plane<Tip, 0.1, Ground, Ground::z>;
+struct System : jointed<joints<Arm>, loads<contact<small, firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace q36
+
+// expect: joint Ball, which the contact between Ball and Ground uses, is not listed in joints<...>
+namespace q37 {
+struct Ball : floating<Ball, Ground, mass> {};
+using small = sphere_on_plane<Ball, 0.1, Ground, Ground::z>;
+struct System : jointed<joints<Arm>, loads<contact<small, firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace q37

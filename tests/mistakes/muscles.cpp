@@ -138,3 +138,65 @@ struct System : kane_system<inertial<N>, coordinates<theta>, speeds<u>, kinemati
                             bodies<Bob>, loads<M>> {};
 void f() { use<System>(); }
 } // namespace m13
+
+// expect: the muscle M has no peak isometric force; set it in muscle_parameters{...}
+namespace m14 {
+struct M : muscle<M, Line, F, muscle_parameters{.optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m14
+
+// expect: the tendon strain of the muscle M is not positive
+namespace m15 {
+struct M : muscle<M, Line, F,
+                  muscle_parameters{.peak_isometric_force = 500.0,
+                                    .optimal_fiber_length = 0.1,
+                                    .tendon_slack_length = 0.2,
+                                    .tendon_strain = -0.05}> {};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m15
+
+// expect: the fiber damping of the muscle M is negative
+namespace m16 {
+struct M : muscle<M, Line, F,
+                  muscle_parameters{.peak_isometric_force = 500.0,
+                                    .optimal_fiber_length = 0.1,
+                                    .tendon_slack_length = 0.2,
+                                    .fiber_damping = -0.1}> {};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m16
+
+// expect: the passive strain of the muscle M contains the speed u; it may contain only parameters, inputs and
+// expect: time
+namespace m17 {
+struct M : muscle<M, Line, F,
+                  muscle_parameters{.peak_isometric_force = 500.0,
+                                    .optimal_fiber_length = 0.1,
+                                    .tendon_slack_length = 0.2,
+                                    .passive_strain = u}> {};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m17
+
+// expect: the activation of the muscle M contains the rate of speed u
+namespace m18 {
+struct M : muscle<M, Line, dot(u),
+                  muscle_parameters{.peak_isometric_force = 500.0,
+                                    .optimal_fiber_length = 0.1,
+                                    .tendon_slack_length = 0.2,
+                                    .has_activation_dynamics = false}> {};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m18
+
+// expect: a muscle M acts between point P and itself
+namespace m19 {
+struct M
+    : muscle<M, straight<P, P>, F,
+             muscle_parameters{
+                 .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m19

@@ -3,6 +3,6 @@
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
-                            loads<stop<given_length<q>, 0, 2 * q, 100, 0.1>>> {};
+                            loads<stop<given_length<q>, 0.0, 2 * q, 100, 0.1>>> {};
 
 int main() { use<System>(); }

@@ -92,3 +92,103 @@ struct System : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, r
 };
 void f() { use<System>(); }
 } // namespace n12
+
+// expect: the tyre between Arm and Ground has two pneumatic_trail<...>
+namespace n13 {
+struct System
+    : jointed<joints<Arm>,
+              loads<tyre<rim, road, grip, weight, slow, pneumatic_trail<0.02>, pneumatic_trail<0.03>>>> {};
+void f() { use<System>(); }
+} // namespace n13
+
+// expect: the tyre between Arm and Ground has two camber_stiffness<...>
+namespace n14 {
+struct System
+    : jointed<joints<Arm>,
+              loads<tyre<rim, road, grip, weight, slow, camber_stiffness<90>, camber_stiffness<80>>>> {};
+void f() { use<System>(); }
+} // namespace n14
+
+// expect: the tyre between Arm and Ground has two effective_radius<...>
+namespace n15 {
+struct System
+    : jointed<joints<Arm>,
+              loads<tyre<rim, road, grip, weight, slow, effective_radius<0.29>, effective_radius<0.3>>>> {};
+void f() { use<System>(); }
+} // namespace n15
+
+// expect: the tyre between Arm and Ground lacks an argument; write relaxation<longitudinal length, lateral
+// expect: length>
+namespace n16 {
+struct System : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, relaxation<0.2>>>> {};
+void f() { use<System>(); }
+} // namespace n16
+
+// expect: the radial stiffness of the tyre between Arm and Ground is not positive
+namespace n17 {
+struct System : jointed<joints<Arm>, loads<tyre<rim, road, grip, radial_stiffness<-100, 0.1, 0.01>, slow>>> {
+};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: the width of the tyre between Arm and Ground contains the coordinate q_Arm; it may contain only
+// expect: parameters, inputs and time
+namespace n18 {
+struct System
+    : jointed<joints<Arm>, loads<tyre<rim, road, grip, radial_stiffness<100, 0.1, q_of<Arm>>, slow>>> {};
+void f() { use<System>(); }
+} // namespace n18
+
+// expect: a relaxation length of the tyre between Arm and Ground is not positive
+namespace n19 {
+struct System : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, relaxation<0.2, -0.4>>>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the effective radius of the tyre between Arm and Ground is a vector; it must be a scalar
+namespace n20 {
+struct System
+    : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, effective_radius<0.3 * Ground::z>>>> {};
+void f() { use<System>(); }
+} // namespace n20
+
+// expect: the tyre between Arm and Ground lacks an argument; write linear_tyre<slip stiffness, cornering
+// expect: stiffness>
+namespace n21 {
+struct System : jointed<joints<Arm>, loads<tyre<rim, road, linear_tyre<1000>, slow>>> {};
+void f() { use<System>(); }
+} // namespace n21
+
+// expect: the pneumatic trail of the tyre between Arm and Ground contains the rate of speed u_Arm
+namespace n22 {
+struct System
+    : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, pneumatic_trail<dot(u_of<Arm>)>>>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+struct Axle : offset<Axle, Arm, 0.1 * Arm::x> {};
+
+// expect: the tyre between Axle and Ground has a wheel whose center is a point; write its frame after the
+// expect: radius, as in thin_wheel<Center, axis, radius, Frame>
+namespace n23 {
+struct System : jointed<joints<Arm>, loads<tyre<thin_wheel<Axle, Arm::y, 0.3>, road, grip, weight, slow>>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: loads<...> lists wheel_load<50>, which is an argument of tyre<...>
+namespace n24 {
+struct System : jointed<joints<Arm>, loads<weight>> {};
+void f() { use<System>(); }
+} // namespace n24
+
+// expect: loads<...> lists flat_ground<...>, which is an argument of tyre<...>
+namespace n25 {
+struct System : jointed<joints<Arm>, loads<road>> {};
+void f() { use<System>(); }
+} // namespace n25
+
+// expect: loads<...> lists thin_wheel<...>, which is an argument of tyre<...>
+namespace n26 {
+struct System : jointed<joints<Arm>, loads<rim>> {};
+void f() { use<System>(); }
+} // namespace n26

@@ -35,7 +35,7 @@ struct System : jointed<joints<Arm>, loads<rolls<round_wheel, rail>>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the tyre at Hub has a wheel with two frames
+// expect: the tyre between Hub and Ground has a wheel with two frames
 namespace n5 {
 using wheel = thin_wheel<Hub, Arm::y, 0.3, Arm, Ground>;
 struct System : jointed<joints<Arm>, loads<rolls<wheel, flat>>> {};
@@ -115,8 +115,24 @@ struct System : jointed<joints<Arm>, loads<rolls<wheel, flat>>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: contact_point<Self, Wheel, Ground> requires a thin_wheel<...> or toroidal_wheel<...> on
-// expect: flat_ground<...>
+// expect: contact_point<Self, Wheel, Ground> requires a thin_wheel<...>, toroidal_wheel<...> or
+// expect: conical_wheel<...>
 namespace n16 {
-struct Contact : contact_point<Contact, round_wheel, uneven_ground<Ground, Ground, 0.1 * surface::x>> {};
+struct Contact : contact_point<Contact, int, flat> {};
 } // namespace n16
+
+// expect: Contact has a conical_wheel<...> on other ground than straight_rail<...>
+namespace n17 {
+struct Contact : contact_point<Contact, conical_wheel<Arm, Arm::y, 0.4, 0.1>, flat> {};
+struct System : jointed<joints<Arm>, loads<force<Contact, Ground::x>>> {};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: the wheel between Arm and Far has points measured from two origins, Ground and Far, whose
+// expect: distance is not known
+namespace n18 {
+using hilly = uneven_ground<Far, Ground, 0.1 * sin(surface::x)>;
+struct Contact : contact_point<Contact, round_wheel, hilly> {};
+struct System : jointed<joints<Arm>, loads<force<Contact, Ground::x>>> {};
+void f() { use<System>(); }
+} // namespace n18

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The playground's texts: the models that they build, the sentences of their mistakes, their motion, and the
 // C++ types that one takes away.
 #include "playground/session.hpp"

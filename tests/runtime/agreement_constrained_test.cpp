@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 #include "models/andrews.hpp"
 #include "models/chaplygin_sleigh.hpp"
 #include "models/four_bar.hpp"

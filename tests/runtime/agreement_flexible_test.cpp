@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A beam with a rigid body at its end: compiled and interpreted code, batches, linearization, second order
 // and fixed steps.
 #include "runtime/second_order.hpp"

@@ -1,8 +1,9 @@
-// builds: clang++
-// Most kinds of loads in one system: compiled and interpreted code to the last bit, single precision,
+// builds: clang++ all
+// Most kinds of loads in two systems: compiled and interpreted code to the last bit, single precision,
 // batches, constant expressions, linearization, second derivatives and the forces of the loads.
 #include "compiled/complex_steps.hpp"
 #include "runtime/agreement.hpp"
+#include "runtime/driven_wheel.hpp"
 #include "runtime/loaded_arm.hpp"
 
 #include <kanexpr/batch.hpp>
@@ -62,5 +63,59 @@ TEST(agreement, of_derivatives_of_most_loads) {
   EXPECT_EQ((function<System, normal_force_of<Floor>>{}(some_state(), numbers, volts)),
             forces(some_state(), numbers, volts)(0));
 }
+
+// A tyre on uneven ground, a muscle, a motor and its controller, and a foot with bristles.
+namespace wheel {
+
+using driven_wheel::System;
+using eom = equations_of_motion<System>;
+
+const eom::parameters numbers(1e4, 0.9, 300, 0.2);
+const eom::inputs wanted(2, 0.3);
+eom::state some_state(double raised = 0) {
+  eom::state x = eom::state::Constant(0.1);
+  x.head<10>() << 0.2, 0.1, 0.31 + raised, 0.5, -0.1, 0.6, 0.03, -0.1, 2.5, 0.3;
+  x.tail<9>() *= 0.3;
+  return x;
+}
+
+TEST(agreement, of_a_driven_wheel) {
+  model m = derive<System>();
+  ASSERT_EQ(m.mistake(), "");
+  auto interpreted = m.function(m.rhs());
+  const eom::state low = some_state(), high = some_state(0.1);
+  const eom::state rates = eom::rhs(low, numbers, wanted);
+  ASSERT_TRUE(rates.allFinite());
+  agreement::expect_same_bits(rates, interpreted(low, numbers, wanted));
+  using two = batch<2>;
+  two::state<System> both;
+  two::set(both, 0, low), two::set(both, 1, high);
+  const auto found = eom::rhs(both, numbers, wanted);
+  EXPECT_EQ(two::get(found, 0), rates);
+  EXPECT_EQ(two::get(found, 1), eom::rhs(high, numbers, wanted));
+  const Eigen::VectorXf x = low.cast<float>(), p = numbers.cast<float>(), r = wanted.cast<float>();
+  const Eigen::VectorXf single =
+      eom::rhs(low.cast<float>().eval(), numbers.cast<float>().eval(), wanted.cast<float>().eval());
+  EXPECT_EQ(single, m.function<float>(m.rhs())(x, p, r));
+}
+
+TEST(agreement, of_derivatives_of_a_driven_wheel) {
+  using complex = std::complex<double>;
+  model m = derive<System>();
+  auto rates = m.function<complex>(m.rhs());
+  auto jacobian = m.function(m.get(mechanics::quantity::state_jacobian));
+  for (const double raised : {0.0, 0.1}) {
+    const eom::state x = some_state(raised);
+    const Eigen::MatrixXd slope = jacobian(x, numbers, wanted);
+    for (Eigen::Index j = 0; j < x.size(); ++j) {
+      Eigen::VectorXcd moved = x.cast<complex>();
+      moved(j) += complex(0, 1e-30);
+      const Eigen::VectorXd column = Eigen::VectorXcd(rates(moved, numbers, wanted)).imag() / 1e-30;
+      EXPECT_LE((slope.col(j) - column).norm(), 1e-12 * (1 + column.norm())) << j;
+    }
+  }
+}
+
+} // namespace wheel
 
 } // namespace

@@ -462,6 +462,26 @@ TEST(builder_mistakes, finds_weights_beside_gravity) {
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * sin(b.theta)); }), "");
 }
 
+// A stiff spring beside the weight neither hides it nor makes something else look like it.
+TEST(builder_mistakes, compares_weights_to_their_own_digits) {
+  const auto told_of = [](double share, double stiffness) {
+    builder b("N");
+    const auto z = b.coordinate("z"), u = b.speed("u");
+    b.kinematic_equation(b.dot(z) - u);
+    const auto n = b.inertial_frame();
+    b.particle("Bob", b.offset("P", b.origin("O"), b.along(n, 0, 0, z)), b.number(2));
+    b.gravity(b.along(n, 0, 0, -9.81));
+    b.potential_energy(share * 2 * 9.81 * z + stiffness * z * z);
+    return std::string((b.check)().view());
+  };
+  for (const double stiffness : {0.5, 5e10, 4e12}) {
+    EXPECT_EQ(told_of(0.99, stiffness), "") << stiffness;
+    EXPECT_EQ(told_of(1, stiffness),
+              "potential energy 1 includes the energy of the weight of Bob, which gravity already applies")
+        << stiffness;
+  }
+}
+
 TEST(builder_mistakes, hears_of_any_load_only_once) {
   EXPECT_EQ(told([](auto& b) {
               b.spring(b.bob, b.o, b.m);

@@ -1,3 +1,4 @@
+// builds: clang++
 // Compiled and run-time systems check states and solve for dependent speeds with the same results.
 #include "four_bars.hpp"
 #include "models/pendulum_nonminimal.hpp"

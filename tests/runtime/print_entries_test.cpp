@@ -28,6 +28,16 @@ TEST(print_entries, writes_units) {
   EXPECT_EQ(print_entries(cart, quantity::potential_energy), "potential_energy = -g*l*m*cos(q)  [J]\n");
 }
 
+TEST(print_entries, names_common_parts_of_a_long_text) {
+  model cart = derive(cart_with_units());
+  const std::string text = print_entries(cart, quantity::udot, 0);
+  EXPECT_TRUE(text.starts_with("udot(v) = ")) << text;
+  EXPECT_NE(text.find("  [m/s²]\nudot(u) = "), std::string::npos) << text;
+  EXPECT_NE(text.find("  [rad/s²]\nwhere\n  z1 = "), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with('\n'));
+  EXPECT_EQ(print_entries(cart, quantity::udot).find("where"), std::string::npos);
+}
+
 TEST(print_entries, writes_none_of_a_model_that_states_none) {
   model ball = derive<falling_ball::System>();
   EXPECT_EQ(print_entries(ball, quantity::forcing), "forcing(v) = -g*m\n");

@@ -130,6 +130,13 @@ TEST(state_variables_at_run_time, tell_mistakes) {
             }),
             "potential energy 1 contains the state variable i; it may contain only coordinates");
   EXPECT_EQ(told([](auto& b) { b.state_variable("u"); }), "the name u is used twice");
+  EXPECT_EQ(told([](auto& b) { b.lag("", b.q, 0.1); }), "one of the blocks has no name");
+  EXPECT_EQ(told([](auto& b) { b.control(), b.lag("F", b.q, -0.1); }),
+            "the time constant of block F is not positive");
+  EXPECT_EQ(told([](auto& b) { b.control(), b.pid("C", b.q, 1, 1, 5, -5, 0.1); }),
+            "the distance between the limits of block C is not positive");
+  EXPECT_EQ(told([](auto& b) { b.control(), b.dc_motor("M", b.u, {1.0, -1.0, 1.0, 1.0}); }),
+            "the resistance of the motor M is not positive");
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// builds: clang++
 // Equations that cannot be solved: compiled and run-time systems report the same status.
 #include "four_bars.hpp"
 #include "models/rolling_disc_constrained.hpp"

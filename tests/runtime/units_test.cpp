@@ -1,8 +1,8 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/numeric/beams/modes.hpp>
-#include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/building/beam_data.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/units/si.hpp>
@@ -309,6 +309,26 @@ const wrong mistakes[]{
     {[](cart& s) { s.b.acceleration_constraint(s.b.dot(s.v) - s.u); },
      "an acceleration constraint equates v' [m/s^2] and u [rad/s]"},
 };
+
+// Searching every occurrence of a shared part would take 2^60 steps.
+TEST(units, that_do_not_fit_are_found_in_expressions_with_many_shared_parts) {
+  cart s;
+  expression e = s.v;
+  for (int i = 0; i < 60; ++i) {
+    const expression turned = e * cos(s.q);
+    const expression bent = s.v * tanh(e / s.v);
+    e = turned + bent;
+  }
+  push(s, e);
+  const std::string mistake((s.b.check)().view());
+  EXPECT_TRUE(mistake.starts_with("the force at C is ")) << mistake;
+  EXPECT_TRUE(mistake.ends_with(" [m/s], but must be in N")) << mistake;
+  cart other;
+  expression square = cos(other.q);
+  for (int i = 0; i < 60; ++i) square = square * square;
+  push(other, square);
+  EXPECT_TRUE(std::string((other.b.check)().view()).ends_with(", but must be in N"));
+}
 
 TEST(units, that_do_not_fit_are_one_sentence) {
   for (const wrong& each : mistakes) {

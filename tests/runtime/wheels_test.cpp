@@ -27,6 +27,7 @@ using kanexpr::model;
 using kanexpr::runtime::builder;
 using kanexpr::runtime::frame_id;
 using kanexpr::runtime::point_id;
+using kanexpr::runtime::tyre_data;
 using kanexpr::runtime::wheel_on_ground;
 using symbolic::expression;
 
@@ -334,6 +335,72 @@ TEST(wheels, that_are_conical_touch_a_rail) {
       expect_velocities(contact, state, 1e-8, 1);
     }
   }
+}
+
+// A wheel that spins fast in the air, where the load is zero.
+TEST(wheels, in_the_air_have_finite_forces_in_single_precision) {
+  free_wheel b;
+  auto data = tyre_data::brush(0.9, 1e5);
+  data.radial = tyre_data::radial_spring{2e5, 0.1, 1e-3}, data.standstill = 0.1;
+  b.tyre(b.wheel_on_plane(b.wheel(0.3), b.o, b.along(b.n, 0, 0, 1)), data);
+  model m = derive(b);
+  auto rhs = m.function<float>(m.rhs());
+  auto jacobian = m.function<float>(m.get(mechanics::quantity::state_jacobian));
+  Eigen::VectorXf x = Eigen::VectorXf::Zero(16);
+  x[2] = 1, x[13] = 300;
+  EXPECT_TRUE(Eigen::VectorXf(rhs(x)).allFinite());
+  EXPECT_TRUE(Eigen::MatrixXf(jacobian(x)).allFinite());
+}
+
+/// What a builder says about a tyre.
+template <class Change>
+std::string mistake_of_tyre(const Change& change) {
+  free_wheel b;
+  wheel_on_ground w = b.wheel_on_plane(b.wheel(0.3), b.o, b.along(b.n, 0, 0, 1));
+  auto data = tyre_data::brush(0.9, 4e4);
+  data.load = 3000.0, data.standstill = 0.1;
+  change(b, w, data);
+  b.tyre(w, data);
+  return std::string(b.check().view());
+}
+
+TEST(wheels, in_a_builder_tell_mistakes) {
+  EXPECT_EQ(mistake_of_tyre([](auto&, auto&, auto&) {}), "");
+  EXPECT_EQ(mistake_of_tyre([](auto&, auto& w, auto&) {
+              free_wheel far;
+              w = far.wheel_on_plane(far.wheel(0.3), far.o, far.along(far.n, 0, 0, 1));
+            }),
+            "a tyre contains an expression that belongs to a different mechanism or to none");
+  EXPECT_EQ(mistake_of_tyre([](auto&, auto& w, auto&) { w = {}; }),
+            "a tyre is on a wheel that has no radius");
+  EXPECT_EQ(mistake_of_tyre([](auto& b, auto&, auto&) { b.contact_point("K", wheel_on_ground{}); }),
+            "K is on a wheel that has no radius");
+  EXPECT_EQ(mistake_of_tyre([](auto& b, auto& w, auto&) {
+              w = b.wheel_on_surface(b.wheel(0.3), b.o, b.n, [](auto x, auto) { return 0.1 * sin(x); }, 12);
+            }),
+            "expected 0 to 9 steps to the lowest point of a wheel, got 12");
+  EXPECT_EQ(mistake_of_tyre([](auto&, auto&, auto& t) { t.slip_stiffness = {}; }),
+            "a tyre has no slip stiffness");
+  EXPECT_EQ(mistake_of_tyre([](auto&, auto&, auto& t) { t.friction = {}; }),
+            "a tyre has no coefficient of friction");
+  EXPECT_EQ(
+      mistake_of_tyre([](auto&, auto&, auto& t) { t.trail = 1 / 20; }),
+      "a value of a tyre is 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 if you mean zero");
+  EXPECT_EQ(mistake_of_tyre([](auto&, auto&, auto& t) { t.load = -1.0; }),
+            "the load of the tyre between Hub and O is negative");
+  EXPECT_EQ(mistake_of_tyre([](auto& b, auto& w, auto&) {
+              auto data = b.wheel(0.3);
+              data.axis = b.along(b.n, 0, 1, 0);
+              w = b.wheel_on_plane(data, b.o, b.along(b.n, 0, 0, 1));
+            }),
+            "the axis of the tyre between Hub and O turns in B, the frame of its body");
+  EXPECT_EQ(mistake_of_tyre([](auto& b, auto& w, auto&) {
+              auto data = b.wheel(0.3);
+              data.axis = b.along(b.n, 0, 1, 0);
+              w = b.wheel_on_plane(data, b.o, b.along(b.n, 0, 0, 1));
+              b.contact_point("K", w);
+            }),
+            "the axis of the wheel between Hub and O turns in B, the frame of its body");
 }
 
 } // namespace

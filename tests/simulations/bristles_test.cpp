@@ -1,4 +1,5 @@
-// Friction with bristles, by Dahl and LuGre: closed forms, rest on a slope, and no creation of energy.
+// Friction with bristles, by Dahl and LuGre: closed forms, rest on a slope, and no creation of energy. Rest
+// of a car on tyres.
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/simulations/model.hpp>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -21,6 +23,7 @@ using kanexpr::derive;
 using kanexpr::model;
 using kanexpr::runtime::builder;
 using kanexpr::runtime::contact_data;
+using kanexpr::runtime::tyre_data;
 using kanexpr::symbolic::expression;
 using mechanics::friction_law;
 
@@ -161,6 +164,86 @@ TEST(bristles, hold_a_block_on_a_slope_for_an_hour) {
       kanexpr::simulate<kanexpr::integrator::bdf>(resting_block(2, 0.19), dropped, {}, {0, 10});
   ASSERT_TRUE(slides) << slides.cause();
   EXPECT_GT(slides.state[0], 0.2);
+}
+
+/// A car with locked brakes on a plane that falls by 0.15 along the car and by 0.05 across it. A resistance
+/// in proportion to its speeds, which cannot hold it, lets it settle soon.
+struct parked_car : builder {
+  static constexpr double wheelbase = 2.8, mass = 1200, standstill = 0.1, resistance = 3e4, stiffness = 8e4;
+  static constexpr double slope = 0.15, sideways = 0.05;
+  kanexpr::runtime::frame_id n = inertial_frame(), body{};
+  kanexpr::runtime::point_id o = origin("O"), center{};
+
+  parked_car(tyre_data of, bool lags) : builder("N") {
+    std::vector<expression> q, resisting;
+    for (const char* name : {"x", "y", "z", "yaw", "pitch", "roll"}) {
+      q.push_back(coordinate(name));
+      const expression v = speed("v_" + std::string(name));
+      kinematic_equation(dot(q.back()) - v);
+      resisting.push_back(-resistance * v);
+    }
+    body = body_fixed("Body", n, "zyx", q[3], q[4], q[5]);
+    center = offset("Center", o, along(n, q[0], q[1], 0.5 + q[2]));
+    rigid_body("Car", center, body, number(mass), inertia(body, 500, 1500, 1700));
+    const double down = 9.81 / std::hypot(1, slope, sideways);
+    gravity(along(n, slope * down, sideways * down, -down));
+    force(center, along(n, resisting[0], resisting[1], resisting[2]));
+    torque(body, along(body, resisting[5], resisting[4], resisting[3]));
+    of.radial = {2e5, 0.5, 1e-4}, of.standstill = standstill;
+    for (const double ahead : {1.2, 1.2 - wheelbase})
+      for (const double left : {0.8, -0.8}) wheel(ahead, left, of, lags);
+  }
+
+private:
+  void wheel(double ahead, double left, tyre_data of, bool lags) {
+    const std::string place = std::to_string(++wheels_);
+    const auto hub = offset("Hub" + place, center, along(body, ahead, left, -0.2));
+    if (lags) of.relaxation = {0.3, 0.4, state_variable("dx" + place), state_variable("dy" + place)};
+    tyre(wheel_on_plane({hub, body, along(body, 0, 1, 0), 0.3}, o, along(n, 0, 0, 1)), of);
+  }
+  int wheels_ = 0;
+};
+
+tyre_data with_formula() {
+  return tyre_data::of_formula({.Fz0 = 3000,
+                                .R0 = 0.3,
+                                .pCx1 = 1.6,
+                                .pDx1 = 0.9,
+                                .pKx1 = 21,
+                                .rBx1 = 12,
+                                .rCx1 = 1.1,
+                                .pCy1 = 1.3,
+                                .pDy1 = 0.9,
+                                .pKy1 = -15,
+                                .pKy2 = 1.6,
+                                .pKy4 = 2,
+                                .rBy1 = 8,
+                                .rCy1 = 1.1});
+}
+
+// The car settles within a second and then stays where it is. Without relaxation lengths, its tyres are
+// dampers, on which it creeps.
+TEST(tyres, with_relaxation_lengths_hold_a_car_on_a_slope_for_an_hour) {
+  const double c = parked_car::stiffness;
+  for (const tyre_data& of : {tyre_data::linear(c, c), tyre_data::brush(0.9, c, 0.7 * c), with_formula()}) {
+    const auto run = kanexpr::simulate<kanexpr::integrator::bdf>(
+        parked_car(of, true), VectorXd::Zero(20), {}, {0, 3610},
+        {.relative_tolerance = 1e-8, .absolute_tolerance = 1e-12, .output_every = 10});
+    ASSERT_TRUE(run) << run.cause();
+    const VectorXd first = run.trajectory[1].x, last = run.state;
+    EXPECT_GT(first[0], 1e-3);
+    EXPECT_LT(first[0], 1e-2);
+    EXPECT_LT((last - first).head(2).norm(), 1e-9 * parked_car::wheelbase);
+    EXPECT_LT(std::abs(last[3] - first[3]), 1e-9);
+  }
+
+  const auto creeping = kanexpr::simulate<kanexpr::integrator::bdf>(
+      parked_car(tyre_data::linear(c, c), false), VectorXd::Zero(12), {}, {0, 10}, {.output_every = 5});
+  ASSERT_TRUE(creeping) << creeping.cause();
+  const double force =
+      parked_car::mass * 9.81 * parked_car::slope / std::hypot(1, parked_car::slope, parked_car::sideways);
+  const double speed = force / (4 * c / parked_car::standstill + parked_car::resistance);
+  EXPECT_NEAR((creeping.state[0] - creeping.trajectory[1].x[0]) / 5, speed, 0.01 * speed);
 }
 
 // The power that friction takes from the motion is never less than the rate of the energy stored in the

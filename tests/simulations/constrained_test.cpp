@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // The beginning of simulations with constraints, and their end if a constraint cannot be satisfied.
 #include "simulations/led_bars.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // A motor with an elastic shaft under a PI controller: its eigenvalues, and where its energy goes.
 #include <kanexpr/simulate.hpp>
 

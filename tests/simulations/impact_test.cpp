@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Impacts as events, compared with closed forms.
 #include "simulations/falling_ball.hpp"
 

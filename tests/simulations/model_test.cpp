@@ -18,7 +18,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -138,6 +141,35 @@ TEST(simulated_model, rejects_a_mass_whose_expression_is_negative) {
   };
   EXPECT_EQ(cause(3, 1), "");
   EXPECT_EQ(cause(1, 1), "the mass of Tank is negative");
+}
+
+// Like masses, constants of loads are checked before the first step.
+TEST(simulated_model, reports_constants_of_loads_that_make_no_sense) {
+  builder b("N");
+  const expression z = b.coordinate("z"), v = b.speed("v"), r = b.parameter("r"), k = b.parameter("k");
+  const expression w = b.parameter("w"), T = b.parameter("T"), Tt = b.parameter("Tt");
+  b.kinematic_equation(b.dot(z) - v);
+  const auto n = b.inertial_frame();
+  const auto o = b.origin("O"), c = b.offset("C", o, b.along(n, 0, 0, z));
+  b.particle("Ball", c, b.number(1));
+  runtime::contact_data data{.stiffness = k, .width = 2 * w};
+  data.restitution = {0.5, w / r};
+  b.point_on_plane(c, o, b.along(n, 0, 0, 1), data);
+  b.lag("Filter", z, T);
+  b.pid("Controller", z, 1, 1, -1, 1, Tt);
+  const auto cause = [&](double at_k, double at_w, double at_T, double at_r = 1, double at_Tt = 1) {
+    return simulate(b, {{"z", 1}, {"v", 0}},
+                    {{"k", at_k}, {"w", at_w}, {"T", at_T}, {"r", at_r}, {"Tt", at_Tt}}, {0, 0.1})
+        .cause();
+  };
+  EXPECT_EQ(cause(100, 0.1, 0.1), "");
+  EXPECT_EQ(cause(-100, 0.1, 0.1), "parameter k, the stiffness of the contact, is not positive");
+  EXPECT_EQ(cause(0, 0.1, 0.1), "parameter k, the stiffness of the contact, is not positive");
+  EXPECT_EQ(cause(100, 0, 0.1), "the width of the contact is not positive");
+  EXPECT_EQ(cause(100, 0.1, 0.1, -1), "the damping of the contact is negative");
+  EXPECT_EQ(cause(100, 0.1, -0.1), "parameter T, the time constant of block Filter, is not positive");
+  EXPECT_EQ(cause(100, 0.1, 0.1, 1, -1),
+            "parameter Tt, the time constant of the integral part of block Controller, is not positive");
 }
 
 TEST(simulated_model, reports_missing_values_before_the_first_step) {
@@ -381,5 +413,108 @@ TEST(simulated_model, cannot_begin_if_its_bars_do_not_meet) {
 }
 
 } // namespace linkage
+
+// Two examples of the Modelica Standard Library, at times for which the Modelica Association publishes
+// reference results (MAP-LIB_ReferenceResults, commit d6a2b9b2).
+namespace published {
+
+/// Rotors on one axis, whose angles are q0, q1, ….
+struct rotors : builder {
+  std::vector<expression> q, u;
+
+  rotors(int count, double inertia_of_each) : builder("N") {
+    for (int i = 0; i < count; ++i) {
+      q.push_back(coordinate("q" + std::to_string(i)));
+      u.push_back(speed("u" + std::to_string(i)));
+      kinematic_equation(dot(q.back()) - u.back());
+    }
+    const auto n = inertial_frame();
+    const auto o = origin("O");
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const std::string name = "R" + std::to_string(i);
+      const auto frame = rotated(name, n, q[i], along(n, 0, 0, 1));
+      const auto place = offset("P" + name, o, along(n, 0, 0, static_cast<double>(i)));
+      rigid_body("Body" + name, place, frame, number(1),
+                 inertia(frame, inertia_of_each, inertia_of_each, inertia_of_each));
+    }
+  }
+};
+
+// Modelica.Electrical.Machines.Examples.DCMachines.DCPM_Start: from 0.2 s to 1 s, the voltage of a motor
+// rises to 100 V; from 1.5 s on, its nominal load acts. The torque constant follows from 100 V and 100 A at
+// 1425 turns a minute.
+TEST(published_motion, of_a_motor_that_starts_and_is_loaded) {
+  rotors b(1, 0.3);
+  const double speed = 1425 * std::numbers::pi / 30;
+  const expression from = b.parameter("V0"), rate = b.parameter("k"), load = b.parameter("T");
+  const expression voltage = from + rate * b.time();
+  const auto motor = b.dc_motor(
+      "M", b.u[0],
+      {.voltage = voltage, .resistance = 0.05, .inductance = 0.0015, .torque_constant = 95 / speed});
+  const auto n = b.inertial_frame();
+  b.torque(runtime::frame_id{1}, b.along(n, 0, 0, motor.torque - load));
+  const model m = derive(b);
+  ASSERT_EQ(model(m).mistake(), "");
+  const simulation_options<model> exactly{.relative_tolerance = 1e-10, .absolute_tolerance = 1e-10};
+  // the time, and then the angle, the speed and the current
+  const std::vector<std::array<double, 4>> expected{
+      {0.4, 2.5152015836659438, 32.177592111589469, 93.737525294019832},
+      {0.6, 12.851956218083691, 71.266903594703308, 92.669134759459354},
+      {1.0, 57.069126266998637, 149.81253747245447, 92.527382097325514},
+      {1.2, 88.443422413123088, 156.90485422894133, -1.2099828240617085},
+      {1.5, 135.55801015665432, 157.07782899504812, 0.020852917493725073},
+      {1.6, 150.5755357538157, 147.67128359238836, 107.48639057541895},
+      {1.8, 180.38243838329311, 149.2243851183714, 99.335323121834094},
+      {2.0, 210.22598365106813, 149.22784527717297, 99.974346641065665}};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
+  double t = 0.2;
+  for (const auto& row : expected) {
+    const double slope = t < 1 ? 125 : 0, base = t < 1 ? -25 : 100, torque = t < 1.5 ? 0 : 63.66;
+    const auto run = simulate(m, x, {{"V0", base}, {"k", slope}, {"T", torque}}, {t, row[0]}, exactly);
+    ASSERT_TRUE(run) << run.cause();
+    t = row[0], x = run.state;
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(x(i), row[static_cast<std::size_t>(i) + 1], 1e-4) << i << " at " << t;
+  }
+}
+
+// Modelica.Mechanics.Rotational.Examples.CoupledClutches until the first clutch breaks away from its
+// stiction, which smooth friction does not have: four rotors, of which the first one turns and is driven, and
+// three clutches, of which the second one closes after 0.4 s and the third one does not close.
+TEST(published_motion, of_coupled_clutches) {
+  rotors b(4, 1);
+  const auto n = b.inertial_frame();
+  const expression turning = 10 * std::numbers::pi * b.time(), closing = 0.4 * std::numbers::pi * b.time();
+  b.torque(runtime::frame_id{1}, b.along(n, 0, 0, 10 * sin(turning)));
+  const mechanics::friction_law law = mechanics::friction_law::coulomb(b.number(0.5), b.number(1e-5));
+  const expression first = 20 * cos(closing), second = 20 * b.parameter("closed");
+  b.friction_along(b.given_length(b.q[0] - b.q[1]), first, law);
+  b.friction_along(b.given_length(b.q[1] - b.q[2]), second, law);
+  const model m = derive(b);
+  ASSERT_EQ(model(m).mistake(), "");
+  // the time, the angle and the speed of the first rotor, and the speeds of the next two relative to the one
+  // before
+  const std::vector<std::array<double, 5>> expected{
+      {0.2, 1.8647093390017737, 8.0209635791052225, -6.0419523375344308, -1.9790112415707943},
+      {0.4, 3.3440205459395576, 6.1663000830969734, -2.3326261541955158, -3.833673928901459},
+      {0.5, 3.9497347165554051, 5.9591172373381083, -2.281670967462555, -2.6774462698755555},
+      {0.6, 4.4746468022120984, 4.5524868724857184, -1.1050342370975506, -1.4474526353881585},
+      {0.7, 4.9267596443423969, 4.5050142580219736, -1.3734648417495323, -0.13154941627241934},
+      {0.8, 5.3154432093114572, 3.3333219642262319, 0, 0}};
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(8);
+  x(4) = 10;
+  double t = 0;
+  for (const auto& row : expected) {
+    const auto run = simulate<integrator::bdf>(
+        m, x, {{"closed", t < 0.4 ? 0.0 : 1.0}}, {t, row[0]},
+        {.relative_tolerance = 1e-9, .absolute_tolerance = 1e-10, .most_steps = 100'000});
+    ASSERT_TRUE(run) << run.cause();
+    t = row[0], x = run.state;
+    const double found[]{x(0), x(4), x(5) - x(4), x(6) - x(5)};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(found[i], row[i + 1], 1e-4) << i << " at " << t;
+  }
+}
+
+} // namespace published
 
 } // namespace

@@ -98,7 +98,6 @@ void expect_motion_by_each(const Motion& built, double c, double start, double d
 }
 
 TEST(nonlinear_constraints, keep_the_speed) { expect_motion_by_each(constant_speed(false), 3, 0.9, 1); }
-// The vertical speed passes through zero, where the constraint cannot be solved for it.
 // The same motion with a state variable, which decays on its own.
 struct constant_speed_with_memory : constant_speed {
   constant_speed_with_memory() : constant_speed(false) {
@@ -127,6 +126,7 @@ TEST(nonlinear_constraints, keep_the_speed_with_a_state_variable) {
   expect_motion_and_memory<integrator::differential_algebraic>();
 }
 
+// The vertical speed passes through zero, where the constraint cannot be solved for it.
 TEST(nonlinear_constraints, pass_where_the_dependent_speed_cannot_be_solved_for) {
   expect_motion_by_each(constant_speed(true), 3, 0.9, 1);
 }

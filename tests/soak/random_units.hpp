@@ -10,6 +10,7 @@ namespace soak {
 struct wanted {
   double decades = 9; // the range of units, in both directions
   bool hostile_states = true;
+  double planted = 0; ///< the relative error of one load that the derivatives must reveal
 };
 
 inline double any_power(dice& d, const wanted& w) { return std::pow(10.0, d.between(-w.decades, w.decades)); }

@@ -77,6 +77,9 @@ int main(int count, char** words) {
   line.add_option("--loaded", a.loaded, "How many with loads along pathways, in contacts and with states");
   line.add_option("--decades", a.wanted.decades, "Over how many decades units are scaled, to either side");
   line.add_flag("--hostile,!--no-hostile", a.wanted.hostile_states, "Visit hostile states");
+  line.add_option("--plant", a.wanted.planted,
+                  "Only compare the derivatives of mechanisms one of whose loads is larger by this share; "
+                  "those that do not fail hide the error");
   line.add_option("--folder", a.folder, "Where seeds of failures are written");
   CLI11_PARSE(line, count, words);
   const auto begin = std::chrono::steady_clock::now();

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Steps of fixed length with constraints that are not linear in the speeds.
 #include "runtime/agreement.hpp"
 #include "steps/derivatives_of_steps.hpp"

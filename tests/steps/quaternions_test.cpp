@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // Fixed steps and assembly keep quaternions at norm 1.
 #include "no_heap.hpp"
 #include "quaternions.hpp"

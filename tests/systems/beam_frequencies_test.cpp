@@ -1,3 +1,4 @@
+// builds: clang++
 // Natural frequencies of beams at rest, in rotation and under axial loads, and the equation of a tower.
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Beams from a builder: their integrals, frequencies and sections.
 #include "systems/beams.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 #include "systems/check_lagrange.hpp"
 
 #include <models/double_pendulum.hpp>

@@ -3,11 +3,10 @@
 #include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
-#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/text_with_parts.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,18 +18,19 @@ namespace gallery {
 using kanexpr::model;
 using kanexpr::symbolic::expression;
 using kanexpr::symbolic::latex;
+using kanexpr::symbolic::latex_each;
 using kanexpr::symbolic::matrix;
 using kanexpr::symbolic::symbol_kind;
 
 namespace {
 
-constexpr int most_operations = 700; // of equations that are worth simplifying
-constexpr double most_operations_as_text = 2e4;
+constexpr int most_operations = 700;           // of equations that are worth simplifying
 constexpr int most_operations_to_divide = 160; // of equations that are divided by common factors
 constexpr std::size_t most_terms = 1500;       // of the forms among which the simplest is chosen
 constexpr std::size_t longest_line = 1100;     // letters of LaTeX
 constexpr std::size_t longest_entry = 160;     // of an entry that stands for the others
 constexpr std::size_t longest_open = 2600;     // letters of LaTeX that a page shows unfolded
+constexpr std::size_t longest_matrix = 100000; // letters of LaTeX that are simplified
 
 int operations_of(const matrix& m) {
   if (m.entries.size() == 0) return 0;
@@ -41,26 +41,8 @@ int operations_of(const matrix& m) {
   return c.multiplications + c.additions + c.divisions + 4 * (c.trigonometric + c.other);
 }
 
-/// The operations of an expression as a text, which repeats shared parts as often as they occur.
-double operations_as_text(expression e) {
-  kanexpr::symbolic::graph& g = e.owner();
-  kanexpr::base::sequence<int> output;
-  output.push(e.node());
-  std::vector<double> total(static_cast<std::size_t>(e.node()) + 1);
-  for (int id : kanexpr::symbolic::live_values(g, output)) {
-    const kanexpr::symbolic::node& n = g[id];
-    if (kanexpr::symbolic::is_leaf(n.op)) continue;
-    double& own = total[static_cast<std::size_t>(id)] = 1 + total[static_cast<std::size_t>(n.a)];
-    if (kanexpr::symbolic::is_binary(n.op) && kanexpr::symbolic::is_value(n))
-      own += total[static_cast<std::size_t>(n.b)];
-  }
-  return total.back();
-}
-bool is_short_as_text(const matrix& m) {
-  double total = 0;
-  for (const expression& each : m.entries) total += operations_as_text(each);
-  return total <= most_operations_as_text;
-}
+/// Whether the entries of a matrix can be written without names for their common parts.
+bool is_written_out(const matrix& m) { return latex_each(m.entries, longest_matrix).parts.empty(); }
 
 std::string symbol_text(model& m, symbol_kind kind, const kanexpr::base::name& called) {
   return latex(expression(m.graph(), m.graph().variable({kind, called})));
@@ -149,12 +131,12 @@ private:
   void dynamic() {
     matrix mass = m_.mass_matrix(), forcing = m_.forcing();
     const int before = operations_of(mass) + operations_of(forcing);
-    if (before > most_operations || !is_short_as_text(mass) || !is_short_as_text(forcing))
-      return long_equations(mass, forcing, before);
+    if (before > most_operations || !is_written_out(mass) || !is_written_out(forcing))
+      return long_equations(before);
     mass = shorter_on_a_page(mass), forcing = shorter_on_a_page(forcing);
     const bool is_constrained = known_.constraints > 0;
     matrix explicit_form;
-    if (!is_constrained && operations_of(m_.udot()) <= most_operations && is_short_as_text(m_.udot()))
+    if (!is_constrained && operations_of(m_.udot()) <= most_operations && is_written_out(m_.udot()))
       explicit_form = shorter_on_a_page(m_.udot());
     const bool is_shorter = explicit_form.rows > 0 && total(explicit_form) <= total(mass) + total(forcing);
     equation_group group{.heading = "Equations of motion"};
@@ -168,8 +150,7 @@ private:
       }
     const auto longest = std::max_element(group.lines.begin(), group.lines.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    if (longest != group.lines.end() && longest->size() > 4 * longest_line)
-      return long_equations(mass, forcing, before);
+    if (longest != group.lines.end() && longest->size() > 4 * longest_line) return long_equations(before);
     if (is_constrained) group.note = note_on_dependent_speeds();
     add(std::move(group));
   }
@@ -228,9 +209,41 @@ private:
     return text + " = " + latex(forcing(i, 0));
   }
 
-  void long_equations(const matrix& mass, const matrix& forcing, int operations) {
+  /// The equations with names for their common parts, or the shortest entries if there are too many.
+  void long_equations(int operations) {
+    const matrix mass = m_.mass_matrix(), forcing = m_.forcing();
     equation_group group{.heading = "Equations of motion", .is_folded = true};
     group.lines.push_back("M(q)\\,\\dot{u} = f(q, u, r)");
+    if (operations <= most_operations)
+      with_parts(group, is_written_out(mass) ? shorter_on_a_page(mass) : mass, forcing);
+    else
+      shortest_entries(group, mass, forcing, operations);
+    add(std::move(group));
+  }
+
+  /// The entries of the symmetric M and of f that are not zero, and their parts.
+  void with_parts(equation_group& group, const matrix& mass, const matrix& forcing) {
+    kanexpr::base::sequence<expression> entries;
+    std::vector<std::string> names;
+    const auto take = [&](const std::string& name, expression e) {
+      if (e.is_zero()) return;
+      names.push_back(name);
+      entries.push(e);
+    };
+    for (int i = 0; i < mass.rows; ++i)
+      for (int j = i; j < mass.columns; ++j) take("M_{" + index(i) + index(j) + "}", mass(i, j));
+    for (int i = 0; i < forcing.rows; ++i) take("f_{" + index(i) + "}", forcing(i, 0));
+    const kanexpr::symbolic::text_with_parts written = latex_each(entries);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      group.lines.push_back(names[i] + " = " + written.expressions[i]);
+    for (const auto& each : written.parts) group.lines.push_back(each.name + " = " + each.text);
+    group.note = "M is symmetric; its other entries are zero.";
+    if (known_.constraints > 0) group.note += " " + note_on_dependent_speeds();
+    if (!written.parts.empty())
+      group.note += " Each z with an index is a part that occurs more than once or is long.";
+  }
+
+  void shortest_entries(equation_group& group, const matrix& mass, const matrix& forcing, int operations) {
     for (int i = mass.rows - 1; i >= 0; --i)
       for (int j = mass.columns - 1; j >= i; --j)
         shortest(group, "M_{" + index(i) + index(j) + "}", mass(i, j));
@@ -239,13 +252,13 @@ private:
                  " entries. Together, M and f take " + std::to_string(operations) +
                  " operations, too many for a page" +
                  (group.lines.size() > 1 ? "; these are their shortest entries." : ".");
-    add(std::move(group));
   }
   static std::string index(int i) { return (i > 8 ? "," : "") + std::to_string(i + 1); }
   static void shortest(equation_group& group, const std::string& name, expression e) {
-    if (group.lines.size() > 8 || e.is_zero() || operations_as_text(e) > longest_entry) return;
-    const std::string text = latex(e);
-    if (text.size() <= longest_entry) group.lines.push_back(name + " = " + text);
+    if (group.lines.size() > 8 || e.is_zero()) return;
+    const kanexpr::symbolic::text_with_parts written = latex_each({e}, longest_entry);
+    if (written.parts.empty() && written.expressions[0].size() <= longest_entry)
+      group.lines.push_back(name + " = " + written.expressions[0]);
   }
 
   model& m_;

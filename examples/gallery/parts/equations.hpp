@@ -17,8 +17,9 @@ struct equation_group {
 };
 
 /// The equations of a model as a textbook prints them: the kinematic differential equations, the constraints,
-/// and the dynamic equations in the shorter of the forms u̇ = … and M u̇ = f. If the dynamic equations are too
-/// long for a page, their operations are counted, and the shortest entries of M and f represent the rest.
+/// and the dynamic equations in the shorter of the forms u̇ = … and M u̇ = f. In long
+/// dynamic equations, names stand for their common parts. If they are too long for a page even so, their
+/// operations are counted, and the shortest entries of M and f represent the rest.
 std::vector<equation_group> equations_of(kanexpr::model& m);
 
 /// The symbol of a kind at a place among those of its kind, in LaTeX.

@@ -2,10 +2,13 @@
 
 #include "playground/session.hpp"
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/algebra/simplify.hpp>
 #include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/text_with_parts.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -31,9 +34,13 @@ inline nlohmann::json matrix_in_latex(const kanexpr::symbolic::matrix& m) {
     written["operations"] = operations;
     return written;
   }
-  nlohmann::json& entries = written["entries"] = nlohmann::json::array();
-  for (const auto& e : m.entries)
-    entries.push_back(kanexpr::symbolic::latex(kanexpr::symbolic::simplify(e, most_terms)));
+  kanexpr::base::sequence<kanexpr::symbolic::expression> simplified;
+  for (const auto& e : m.entries) simplified.push(kanexpr::symbolic::simplify(e, most_terms));
+  const kanexpr::symbolic::text_with_parts text = kanexpr::symbolic::latex_each(simplified);
+  if (text.parts.empty())
+    written["entries"] = text.expressions;
+  else // few operations, but a text that repeats them too often
+    written["operations"] = operations;
   return written;
 }
 

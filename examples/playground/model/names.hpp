@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/library_words.hpp>
 #include <kanexpr/exporting/text/identifiers.hpp>
-#include <kanexpr/runtime/builder_checks.hpp>
+#include <kanexpr/runtime/building/builder_checks.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <map>

@@ -3,43 +3,38 @@
 #include <kanexpr/animate/about_axis.hpp>
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/homogeneous_solid.hpp>
+#include <kanexpr/animate/load_shapes.hpp>
+#include <kanexpr/animate/placed_shapes.hpp>
 #include <kanexpr/animate/recorded_outlines.hpp>
 #include <kanexpr/animate/recorded_poses.hpp>
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/outlines.hpp>
-#include <kanexpr/figures/pathways.hpp>
-#include <kanexpr/mechanics/loads/muscle.hpp>
-#include <kanexpr/mechanics/loads/path_load.hpp>
-#include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
-#include <kanexpr/numeric/taut_line.hpp>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace kanexpr::animate {
 
 /// Chooses the shapes of a model: links between the places of each rigid part, solids for bodies that have no
-/// other extent, strips for beams, pins and balls at joints, rails along which points slide, spheres for
-/// particles, and springs. All sizes are fractions of the longest link.
+/// other extent, strips for beams, pins and balls at joints, rails along which points slide, and spheres for
+/// particles; `load_shapes` adds those of the loads. All sizes are fractions of the longest link.
 class default_shapes {
 public:
   default_shapes(const mechanics::multibody_system& system, const rigid_parts& parts,
                  const recorded_poses& poses, const recorded_outlines& flexible,
                  const figures::geometry& first)
       : system_(system), m_(system.mechanism), parts_(parts), poses_(poses), flexible_(flexible),
-        deflections_(system.mechanism), first_(first), length_(unit()) {}
+        deflections_(system.mechanism), first_(first), length_(unit()), made_(poses) {}
 
   /// Adds the shapes, and sets the ground of a model with weight.
   void add_to(animation& a, bool has_ground);
@@ -51,8 +46,6 @@ public:
   }
 
 private:
-  static constexpr std::string_view grey = "#8f979e", dark = "#565e66", of_springs = "#5d8a66";
-
   std::string color_of_body(int body) const {
     constexpr std::array<std::string_view, 8> palette{"#4a7fb5", "#d0694a", "#6f9e54", "#dfa63c",
                                                       "#8568ae", "#3a9d93", "#99705a", "#687488"};
@@ -60,7 +53,7 @@ private:
   }
   std::string color_of_part(int part) const {
     const int body = part == 0 ? mechanics::none : parts_.body_of(part);
-    return body == mechanics::none ? std::string(grey) : color_of_body(body);
+    return body == mechanics::none ? std::string(placed_shapes::grey) : color_of_body(body);
   }
   std::string name_of_point(int point) const { return std::string(m_.points[point].called.view()); }
   std::string name_of_body(int body) const { return std::string(m_.bodies[body].called.view()); }
@@ -103,57 +96,12 @@ private:
   links_of_part links_at(int part, int place) const;
   double radius_of(const straight_piece& l) const;
 
-  void add(animation::shape s, const auto& placement_at) {
-    for (std::size_t k = 0; k < poses_.samples(); ++k) s.placements.push_back(placement_at(k));
-    made_.push_back(std::move(s));
-  }
-  void add_between(std::string name, std::string kind, std::string colour, std::vector<double> sizes,
-                   int from, int to) {
-    add({.name = std::move(name),
-         .kind = std::move(kind),
-         .colour = std::move(colour),
-         .sizes = std::move(sizes),
-         .placed_by = placement_kind::ends},
-        [&](std::size_t k) {
-          return placement{.position = poses_.place(from, k), .end = poses_.place(to, k)};
-        });
-  }
-  void add_sphere(std::string name, std::string colour, double radius, int at) {
-    add({.name = std::move(name), .kind = "sphere", .colour = std::move(colour), .sizes = {radius}},
-        [&](std::size_t k) { return placement{.position = poses_.place(at, k)}; });
-  }
-  /// Adds a solid whose axes are constant in a frame.
-  void add_solid(std::string name, std::string kind, std::string colour, std::vector<double> sizes, int at,
-                 int frame, const Eigen::Matrix3d& axes) {
-    add({.name = std::move(name),
-         .kind = std::move(kind),
-         .colour = std::move(colour),
-         .sizes = std::move(sizes),
-         .placed_by = placement_kind::pose},
-        [&](std::size_t k) {
-          return placement{.position = poses_.place(at, k), .orientation = poses_.frame(frame, k) * axes};
-        });
-  }
-
   void add_link(const straight_piece& l);
   void add_body(int body);
   void add_beam(const recorded_beam& beam);
   void add_nodes(const recorded_nodes& body);
   void add_joint(int part);
   void add_slide(const straight_piece& l);
-  void add_springs();
-  /// Whether no load before this one acts along the same line around a surface.
-  bool is_first_on_its_line(int load) const {
-    const auto line_of = [&](int i) {
-      const mechanics::pathway& p = system_.loads.path_loads[i].along;
-      return std::tuple(p.form, p.points[0], p.points.back(), p.center, p.surface.sense);
-    };
-    for (int i = 0; i < load; ++i)
-      if (system_.loads.path_loads[i].along.is_around_surface() && line_of(i) == line_of(load)) return false;
-    return true;
-  }
-  void add_wrapped_cable(int load);
-  void add_pathways();
   /// Whether a frame belongs to a body without mass, such as the rotor of a motor, which has no place.
   bool turns_rotor(int frame) const {
     bool found = false;
@@ -171,7 +119,7 @@ private:
   figures::deflections deflections_;
   const figures::geometry& first_; ///< the geometry at the first sample
   double length_;
-  std::vector<animation::shape> made_{};
+  placed_shapes made_;
 };
 
 inline homogeneous_solid default_shapes::solid_on_link(int body) const {
@@ -238,7 +186,7 @@ inline void default_shapes::add_link(const straight_piece& l) {
   const int body = l.part == 0 ? mechanics::none : parts_.body_of(l.part);
   const std::string name =
       body == mechanics::none ? std::string(m_.frames[l.part].called.view()) : name_of_body(body);
-  add_between("link of " + name, "rod", color_of_part(l.part), {radius_of(l)}, l.from, l.to);
+  made_.add_between("link of " + name, "rod", color_of_part(l.part), {radius_of(l)}, l.from, l.to);
 }
 
 /// A particle is a sphere. A rigid body is its links with a sphere at the mass center; if it has at most one
@@ -246,13 +194,13 @@ inline void default_shapes::add_link(const straight_piece& l) {
 inline void default_shapes::add_body(int body) {
   const mechanics::body& b = m_.bodies[body];
   const std::string name = name_of_body(body), colour = color_of_body(body);
-  if (b.frame == mechanics::none) return add_sphere(name, colour, 0.09 * length_, b.center);
+  if (b.frame == mechanics::none) return made_.add_sphere(name, colour, 0.09 * length_, b.center);
   const auto [is_linked, links, longest] = links_at(parts_.part_of(b.frame), b.center);
   homogeneous_solid solid = is_linked ? solid_on_link(body) : solid_of_body(body);
   if (is_linked && links > 1) solid = {};
-  if (is_linked) add_sphere("mass center of " + name, colour, 0.06 * length_, b.center);
+  if (is_linked) made_.add_sphere("mass center of " + name, colour, 0.06 * length_, b.center);
   if (!solid.exists()) {
-    if (!is_linked) add_sphere(name, colour, 0.09 * length_, b.center);
+    if (!is_linked) made_.add_sphere(name, colour, 0.09 * length_, b.center);
     return;
   }
   for (const straight_piece& l : parts_.links())
@@ -264,7 +212,7 @@ inline void default_shapes::add_body(int body) {
     size = (std::max)(size, 0.045 * length_);
   }
   const Eigen::Matrix3d in_frame = poses_.frame(b.frame, 0).transpose() * solid.axes;
-  add_solid(name, solid.kind, colour, solid.sizes, b.center, b.frame, in_frame);
+  made_.add_solid(name, solid.kind, colour, solid.sizes, b.center, b.frame, in_frame);
 }
 
 /// A beam is a strip that is thin in its first direction of bending.
@@ -278,7 +226,7 @@ inline void default_shapes::add_beam(const recorded_beam& beam) {
                      .placed_by = placement_kind::pose,
                      .places = beam.sections};
   s.placements = beam.placements;
-  made_.push_back(std::move(s));
+  made_.add(std::move(s));
 }
 
 /// A flexible body that is given by numbers is shown as its nodes, connected by thin rods.
@@ -287,22 +235,22 @@ inline void default_shapes::add_nodes(const recorded_nodes& body) {
   const std::string name(f.called.view()), colour = color_of_body(m_.bodies.size() + body.body);
   const auto place = [&](std::size_t k, std::size_t i) { return body.places[k * body.nodes + i]; };
   for (std::size_t i = 0; i < body.nodes; ++i)
-    add({.name = "node " + std::string(f.nodes.all[static_cast<int>(i)].called.view()) + " of " + name,
-         .kind = "sphere",
-         .colour = colour,
-         .sizes = {0.025 * length_}},
-        [&](std::size_t k) { return placement{.position = place(k, i)}; });
+    made_.add({.name = "node " + std::string(f.nodes.all[static_cast<int>(i)].called.view()) + " of " + name,
+               .kind = "sphere",
+               .colour = colour,
+               .sizes = {0.025 * length_}},
+              [&](std::size_t k) { return placement{.position = place(k, i)}; });
   const std::vector<Eigen::Vector3d> first(body.places.begin(),
                                            body.places.begin() + static_cast<std::ptrdiff_t>(body.nodes));
   for (const auto& ends : figures::shortest_connections(first))
-    add({.name = name,
-         .kind = "rod",
-         .colour = colour,
-         .sizes = {0.012 * length_},
-         .placed_by = placement_kind::ends},
-        [&](std::size_t k) {
-          return placement{.position = place(k, ends.first), .end = place(k, ends.second)};
-        });
+    made_.add({.name = name,
+               .kind = "rod",
+               .colour = colour,
+               .sizes = {0.012 * length_},
+               .placed_by = placement_kind::ends},
+              [&](std::size_t k) {
+                return placement{.position = place(k, ends.first), .end = place(k, ends.second)};
+              });
 }
 
 /// A rotation by an angle is a pin along its axis, so two successive ones are the cross of a universal joint.
@@ -322,15 +270,16 @@ inline void default_shapes::add_joint(int part) {
     if (l.part == part && wheel_around(l) != mechanics::none) return; // it rolls
   const bool is_ball = turns.size() > 2 || !m_.frames[part].is_by_angle();
   if (is_ball && parts_.has_links(part))
-    return add_sphere("ball joint at " + name_of_point(at), std::string(dark), 0.08 * length_, at);
+    return made_.add_sphere("ball joint at " + name_of_point(at), std::string(placed_shapes::dark),
+                            0.08 * length_, at);
   if (is_ball) return;
   for (const int f : turns) {
     const Eigen::Vector3d axis = first_.rotation_axes[static_cast<std::size_t>(f)];
     if (!(axis.norm() > 0)) continue;
     const Eigen::Matrix3d now = poses_.frame(f, 0);
     const Eigen::Matrix3d about = about_axis(axis, now.col(0), now.col(1));
-    add_solid("pin at " + name_of_point(at), "cylinder", std::string(dark), {0.065 * length_, 0.18 * length_},
-              at, f, now.transpose() * about);
+    made_.add_solid("pin at " + name_of_point(at), "cylinder", std::string(placed_shapes::dark),
+                    {0.065 * length_, 0.18 * length_}, at, f, now.transpose() * about);
   }
 }
 
@@ -349,85 +298,24 @@ inline void default_shapes::add_slide(const straight_piece& l) {
     least = (std::min)(least, along.dot(offset(k))), most = (std::max)(most, along.dot(offset(k)));
   const std::string name = l.to < m_.points.size() ? name_of_point(l.to) : "a corner";
   const double over = 0.15 * length_;
-  add({.name = "rail of " + name,
-       .kind = "rod",
-       .colour = std::string(grey),
-       .sizes = {0.014 * length_},
-       .placed_by = placement_kind::ends},
-      [&](std::size_t k) {
-        const Eigen::Vector3d from = poses_.place(l.from, k), axis = poses_.frame(l.part, k) * along;
-        return placement{.position = from + (least - over) * axis, .end = from + (most + over) * axis};
-      });
+  made_.add({.name = "rail of " + name,
+             .kind = "rod",
+             .colour = std::string(placed_shapes::grey),
+             .sizes = {0.014 * length_},
+             .placed_by = placement_kind::ends},
+            [&](std::size_t k) {
+              const Eigen::Vector3d from = poses_.place(l.from, k), axis = poses_.frame(l.part, k) * along;
+              return placement{.position = from + (least - over) * axis, .end = from + (most + over) * axis};
+            });
   const Eigen::Matrix3d axes = about_axis(along, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY());
-  add_solid("slider at " + name, "box", std::string(dark), {0.1 * length_, 0.1 * length_, 0.17 * length_},
-            l.to, l.part, axes);
-}
-
-inline void default_shapes::add_springs() {
-  for (const mechanics::spring_damper& each : system_.loads.spring_dampers) {
-    const std::string ends = " from " + name_of_point(each.point) + " to " + name_of_point(each.against);
-    if (!each.stiffness.is_zero())
-      add_between("spring" + ends, "coil", std::string(of_springs), {0.06 * length_, 9}, each.point,
-                  each.against);
-    if (!each.damping.is_zero())
-      add_between("damper" + ends, "rod", std::string(of_springs), {0.018 * length_}, each.point,
-                  each.against);
-  }
-}
-
-/// A cable around a surface, and the surface itself.
-inline void default_shapes::add_wrapped_cable(int load) {
-  const mechanics::pathway& along = system_.loads.path_loads[load].along;
-  numeric::wrapped_surface around = first_.surfaces[static_cast<std::size_t>(load)];
-  const Eigen::Vector3d axis = poses_.frame(along.frame, 0).transpose() * around.axis; // in the frame
-  const std::string ends = name_of_point(along.points[0]) + " to " + name_of_point(along.points.back());
-  animation::shape cable{.name = "cable from " + ends,
-                         .kind = "cable",
-                         .colour = std::string(of_springs),
-                         .profile = "circle",
-                         .sizes = {0.012 * length_}};
-  for (std::size_t k = 0; k < poses_.samples(); ++k) {
-    around.center = poses_.place(along.center, k), around.axis = poses_.frame(along.frame, k) * axis;
-    const numeric::taut_line line =
-        figures::line_along(along, around, [&](int point) { return poses_.place(point, k); });
-    cable.places = line.places.size(), cable.straight_parts = line.straight_parts;
-    for (const Eigen::Vector3d& place : line.places) cable.placements.push_back({.position = place});
-  }
-  made_.push_back(std::move(cable));
-  const double inside = around.size * 0.97; // so that the cable can be seen
-  const std::string name = " of the cable from " + ends;
-  if (around.form == numeric::wrapped_solid::sphere)
-    add_sphere("sphere" + name, std::string(grey), inside, along.center);
-  else if (around.form == numeric::wrapped_solid::cylinder)
-    add_solid("cylinder" + name, "cylinder", std::string(grey), {inside, around.size}, along.center,
-              along.frame, about_axis(axis, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()));
-}
-
-/// Cables and muscles are drawn once, whatever acts along them; of muscles, only those through points.
-inline void default_shapes::add_pathways() {
-  std::set<std::pair<int, int>> drawn;
-  const auto add_segments = [&](const mechanics::pathway& along) {
-    if (along.form != mechanics::pathway_form::through_points) return;
-    const auto& points = along.points;
-    for (int i = 1; i < points.size(); ++i) {
-      const std::pair<int, int> ends = std::minmax(points[i - 1], points[i]);
-      if (!drawn.insert(ends).second) continue;
-      add_between("cable from " + name_of_point(points[i - 1]) + " to " + name_of_point(points[i]), "rod",
-                  std::string(of_springs), {0.012 * length_}, points[i - 1], points[i]);
-    }
-  };
-  for (int n = 0; n < system_.loads.path_loads.size(); ++n) {
-    const mechanics::pathway& along = system_.loads.path_loads[n].along;
-    if (along.is_around_surface() && is_first_on_its_line(n)) add_wrapped_cable(n);
-    add_segments(along);
-  }
-  for (const mechanics::muscle& each : system_.loads.muscles) add_segments(each.along);
+  made_.add_solid("slider at " + name, "box", std::string(placed_shapes::dark),
+                  {0.1 * length_, 0.1 * length_, 0.17 * length_}, l.to, l.part, axes);
 }
 
 /// The least height of the shapes along the motion.
 inline double default_shapes::lowest(const Eigen::Vector3d& up) const {
   double least = 0;
-  for (const animation::shape& s : made_)
+  for (const animation::shape& s : made_.all())
     for (const placement& p : s.placements) {
       const Eigen::Vector3d turned = p.orientation.transpose() * up;
       double reach = s.sizes.front();
@@ -435,6 +323,8 @@ inline double default_shapes::lowest(const Eigen::Vector3d& up) const {
         reach = 0.5 * Eigen::Vector3d(s.sizes.data()).dot(turned.cwiseAbs());
       else if (s.kind == "cylinder")
         reach = s.sizes[0] * turned.head<2>().norm() + 0.5 * s.sizes[1] * std::abs(turned(2));
+      else if (s.kind == "cone")
+        reach = (std::max)(0.0, s.sizes[0] * turned.head<2>().norm() - s.sizes[1] * turned(2));
       least = (std::min)(least, up.dot(p.position) - reach);
       if (s.placed_by == placement_kind::ends) least = (std::min)(least, up.dot(p.end) - reach);
     }
@@ -461,10 +351,11 @@ inline void default_shapes::add_to(animation& a, bool has_ground) {
     if (!m_.bodies[i].mass.is_zero()) add_body(i);
   for (const recorded_beam& beam : flexible_.beams) add_beam(beam);
   for (const recorded_nodes& body : flexible_.nodes) add_nodes(body);
-  add_springs();
-  add_pathways();
+  load_shapes loads(system_, poses_, first_, length_, made_);
+  loads.add_springs();
+  loads.add_pathways();
   if (has_ground) add_ground(a);
-  a.shapes = std::move(made_);
+  a.shapes = made_.take();
 }
 
 } // namespace kanexpr::animate

@@ -6,6 +6,7 @@
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/motion.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/describe/system.hpp>
 
@@ -47,8 +48,31 @@ struct bodies_of {
   }();
 };
 
-/// The forces and contacts among the loads of a system, and its gravity. A force between two points counts
-/// twice.
+/// An end of a line along which a load pulls.
+struct pulled_end {
+  const load_record* load = nullptr;
+  const describe::point_record* point = nullptr;
+  const describe::point_record* toward = nullptr; ///< the next point of the line
+};
+
+/// Stores the two ends of the line along which a load pulls in `found` and returns their number; 0 if the
+/// load does not pull along straight lines between points.
+constexpr int ends_of_line(const load_record& r, pulled_end* found) {
+  using enum describe::load_word;
+  if (r.what == spring || r.what == damper) {
+    found[0] = {&r, r.point, r.other_point}, found[1] = {&r, r.other_point, r.point};
+    return 2;
+  }
+  if (r.path == nullptr || r.path->what != describe::path_word::through_points || r.path->points.size < 2)
+    return 0;
+  const auto& points = r.path->points;
+  const int last = points.size - 1;
+  found[0] = {&r, &points[0], &points[1]}, found[1] = {&r, &points[last], &points[last - 1]};
+  return 2;
+}
+
+/// The forces, contacts and tensions among the loads of a system, and its gravity. A force between two points
+/// counts twice.
 template <class System>
 struct forces_of {
   static constexpr const auto& record = System::record;
@@ -61,6 +85,8 @@ struct forces_of {
     std::size_t count = 0;
     std::array<const load_record*, static_cast<std::size_t>(record.loads.size) + 1> contacts{};
     std::size_t contact_count = 0;
+    std::array<pulled_end, 2 * static_cast<std::size_t>(record.loads.size) + 2> ends{};
+    std::size_t end_count = 0;
     const load_record* gravity = nullptr;
   };
   static constexpr list found = [] {
@@ -68,6 +94,7 @@ struct forces_of {
     for (const load_record& r : record.loads) {
       if (r.what == describe::load_word::gravity) l.gravity = &r;
       if (r.what == describe::load_word::contact) l.contacts[l.contact_count++] = &r;
+      l.end_count += static_cast<std::size_t>(ends_of_line(r, &l.ends[l.end_count]));
       if (r.what != describe::load_word::force) continue;
       l.all[l.count++] = {&r, false};
       if (r.other_point != nullptr) l.all[l.count++] = {&r, true};
@@ -154,6 +181,22 @@ struct contact_force : shape_of_model {
   static constexpr phrases<2> varying{phrase{shape::vector, tokens, 3}, phrase{shape::vector, tokens + 3, 1}};
 };
 
+/// The force of a load along a line on one of its ends: the tension, toward the next point of the line.
+template <class System, std::size_t index>
+struct tension_at_end : shape_of_model {
+  static constexpr const pulled_end& end = forces_of<System>::found.ends[index];
+  static constexpr const describe::point_record* point = end.point;
+  static constexpr base::name called = title("tension at ", point->called);
+  static constexpr token tokens[]{token_of(token_kind::position, point),
+                                  describe::of_load(describe::load_quantity::tension, end.load, false),
+                                  token_of(token_kind::position, end.toward),
+                                  token_of(token_kind::position, point),
+                                  describe::with(token_kind::subtract),
+                                  describe::with(token_kind::normalized),
+                                  describe::with(token_kind::multiply)};
+  static constexpr phrases<2> varying{phrase{shape::vector, tokens, 1}, phrase{shape::vector, tokens + 1, 6}};
+};
+
 /// The velocity of the mass center of a body.
 template <class System, std::size_t index>
 struct velocity_of_body : shape_of_model {
@@ -231,11 +274,15 @@ struct expanded<System, show_forces<of_unit>> {
   template <std::size_t... i>
   static element_list<arrow_of_model<contact_force<System, i>, force_layer<of_unit>>...>
       contacts(std::index_sequence<i...>);
+  template <std::size_t... i>
+  static element_list<arrow_of_model<tension_at_end<System, i>, force_layer<of_unit>>...>
+      tensions(std::index_sequence<i...>);
   static constexpr std::size_t weighed =
       forces_of<System>::found.gravity == nullptr ? 0 : bodies_of<System>::found.count;
   using list =
       typename joined<decltype(loads(std::make_index_sequence<forces_of<System>::found.count>{})),
                       decltype(contacts(std::make_index_sequence<forces_of<System>::found.contact_count>{})),
+                      decltype(tensions(std::make_index_sequence<forces_of<System>::found.end_count>{})),
                       decltype(weights(std::make_index_sequence<weighed>{}))>::list;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <type_traits>
 
 namespace kanexpr::base {
 
@@ -52,7 +51,7 @@ public:
     return size_++;
   }
   constexpr int push(Element&& value)
-    requires(!std::is_trivially_copyable_v<Element>)
+    requires(!__is_trivially_copyable(Element))
   {
     if (size_ == capacity_) return push_and_grow(static_cast<Element&&>(value));
     data_[size_] = static_cast<Element&&>(value);

@@ -13,8 +13,9 @@
 
 namespace kanexpr::compiled {
 
-/// Checks the parameters of a system for negative masses and impossible inertias. Returns a message that
-/// names the first one; empty if there is none. Parameters that are NaN are treated as unknown.
+/// Checks the parameters of a system for negative masses, impossible inertias, and impossible values of
+/// loads, such as negative stiffnesses. Returns a message that names the first one; empty if there is none.
+/// Parameters that are NaN are treated as unknown.
 base::sentence check_masses(const derivation::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time

@@ -19,7 +19,8 @@ KANEXPR_ENGINE base::sentence check_masses(const derivation::survey& known, cons
       return base::sentence({symbol_called(known, place).view(),
                              known.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,",
                              " is negative"});
-  return known.inertial.count == 0 ? base::sentence() : known.inertial.mistake(parameters);
+  return known.inertial.count + known.inertial.bounded == 0 ? base::sentence()
+                                                            : known.inertial.mistake(parameters);
 }
 
 KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {

@@ -48,6 +48,7 @@ private:
     set("inputs", known.inputs);
     set("auxiliary_speeds", known.auxiliary_speeds);
     set("constraints", known.constraints);
+    if (known.nonlinear_constraints != 0) set("nonlinear_constraints", known.nonlinear_constraints);
     set("configuration_constraints", known.configuration_constraints);
     set("redundant_constraints", known.redundant_constraints);
     set("quaternions", known.quaternions);
@@ -95,6 +96,13 @@ private:
       set((member + "mass").c_str(), body.mass);
       for (int k = 0; k < 6; ++k) set((member + "inertia").c_str(), k, body.inertia[k]);
       for (int k = 0; k < 3; ++k) set((member + "way").c_str(), k, body.way[k]);
+    }
+    set("inertial.bounded", known.bounded);
+    for (int i = 0; i < known.bounded; ++i) {
+      const std::string member = "inertial.loads[" + std::to_string(i) + "].";
+      out_ << "    s." << member << "called = \"" << known.loads[i].called.view() << "\";\n";
+      set((member + "value").c_str(), known.loads[i].value);
+      if (known.loads[i].is_positive) out_ << "    s." << member << "is_positive = true;\n";
     }
   }
   void set(const char* member, int place, int value) {

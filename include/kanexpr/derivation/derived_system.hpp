@@ -25,9 +25,9 @@ namespace kanexpr::derivation {
 class derived_system {
   // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
   // declared later in the class
-  template <class Self, class Visit>
-  static constexpr void each_part(Self& self, Visit& visit) {
-    visit(self.system_, self.reader_, *self.equations_);
+  template <class Visit>
+  constexpr void each_part(Visit& visit) {
+    visit(system_, reader_, *equations_);
   }
 
 public:
@@ -41,8 +41,8 @@ public:
       : system_(graph_), reader_(from, system_) {
     equations_.emplace(system_, mechanics::equations::for_restore{});
     reader_.set_known_motion(equations_->known());
-    image_reader read(stored, graph_, system_.mechanism);
-    each_part(*this, read);
+    image_transfer read(stored, graph_, system_.mechanism);
+    each_part(read);
   }
   derived_system(const derived_system&) = delete;
   derived_system& operator=(const derived_system&) = delete;
@@ -74,9 +74,9 @@ public:
 
   /// Stores the derivation. Requires that there is no mistake and that `derive` was called.
   template <std::same_as<image> Image>
-  constexpr void write(Image& into) const {
-    image_writer write(into, graph_);
-    each_part(*this, write);
+  constexpr void write(Image& into) {
+    image_transfer write(into, graph_);
+    each_part(write);
   }
 
   constexpr const sentence& mistake() const {
@@ -131,12 +131,14 @@ constexpr bool is_moment_of(const mechanics::body& b, const expression& paramete
 }
 
 constexpr void survey::take(derived_system& system) {
-  take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
+  take(system.system(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
   states_units = system.reader().states_units();
   checks_units = system.reader().checks_units();
 }
 
-constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {
+constexpr void survey::take(const mechanics::multibody_system& of, bool is_sound,
+                            const mechanics::equations* derived) {
+  const mechanism& m = of.mechanism;
   takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
   coordinates = m.coordinates.size();
   speeds = m.speeds.size();
@@ -157,7 +159,9 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
       is_mass[coordinates + speeds + i] |= b.mass == m.parameters[i];
       is_moment[coordinates + speeds + i] |= !b.effective && is_moment_of(b, m.parameters[i]);
     }
-  inertial_values_reader(m, inertial).read();
+  inertial_values_reader values(m, inertial);
+  values.read();
+  values.read(mechanics::bounded_values(m, of.loads));
   for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
     ++quaternions;
     for (int place : places) quaternion_of[place] = quaternions;

@@ -163,6 +163,7 @@ private:
     if (r.friction != nullptr) take(*r.friction);
     if (r.contact != nullptr) take(*r.contact);
     if (r.tyre != nullptr) take(*r.tyre);
+    if (r.wheel != nullptr) take(*r.wheel);
     for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
     for (int i = 0; i < 2 && r.rotor != nullptr; ++i) take(r.rotor[i]);
     if (r.path != nullptr) take(*r.path);
@@ -189,9 +190,9 @@ private:
   constexpr void take(const describe::contact_record& r) {
     now_.take(static_cast<int>(r.shapes));
     mention(r.frame), mention(r.other_frame);
-    for (const phrase* each :
-         {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness, &r.exponent, &r.width,
-          &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate, &r.spinning_lever, &r.spinning_rate})
+    for (const phrase* each : {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness,
+                               &r.exponent, &r.width, &r.damping, &r.approach_speed, &r.direction, &r.ratio,
+                               &r.lever, &r.rolling_rate, &r.spinning_lever, &r.spinning_rate})
       take(*each);
     now_.take(r.restitution);
     if (r.friction != nullptr) take(*r.friction);
@@ -200,9 +201,7 @@ private:
     now_.take(static_cast<int>(r.rim) * 4 + static_cast<int>(r.ground));
     now_.take(r.steps);
     mention(r.center), mention(r.frame), mention(r.place), mention(r.ground_frame);
-    for (const phrase* each :
-         {&r.axis, &r.radius, &r.tube, &r.conicity, &r.normal, &r.along, &r.head, &r.height})
-      take(*each);
+    for (const phrase* each : describe::phrases_of(r)) take(*each);
   }
   constexpr void take(const describe::tyre_record& r) {
     take(*r.wheel);

@@ -3,6 +3,7 @@
 #include <kanexpr/base/members.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/mechanics/loads/element.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
@@ -48,6 +49,9 @@ struct image {
   int externals = 0;
   const symbolic::external_function* external[most_externals]{};
 
+  int kinds = 0;
+  const mechanics::element_kind* kind[most_entities]{};
+
   /// Whether a part was omitted because an array was full.
   bool is_full = false;
 };
@@ -55,115 +59,17 @@ struct image {
 /// Separates the two parts in which an image stores an integer of 64 bits.
 inline constexpr std::int64_t one_above_int = std::int64_t{1} << 31;
 
-/// Writes a derivation into an image: `write(part)` for each part, which `image_reader` reads in the same
-/// order.
-class image_writer {
+/// Writes a derivation into an image, or reads it from one: `transfer(part)` for each part, in the same
+/// order. Nodes keep their indices.
+///
+/// Both directions share one function for each type of a part, because compilers take long to instantiate
+/// these functions. Writing does not change the parts.
+class image_transfer {
 public:
-  constexpr image_writer(image& into, const symbolic::graph& g);
-
-  template <class... Parts>
-    requires(sizeof...(Parts) > 1)
-  constexpr void operator()(const Parts&... parts) {
-    ((*this)(parts), ...);
-  }
-  template <class Part>
-  constexpr void operator()(const Part& part) {
-    if constexpr (std::is_same_v<Part, std::int64_t>) // in two parts
-      write(static_cast<int>(part % one_above_int)), write(static_cast<int>(part / one_above_int));
-    else if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
-      write(static_cast<int>(part));
-    else if constexpr (requires { Part::each_member(part, *this); })
-      Part::each_member(part, *this);
-    else
-      for_each_member(part, *this);
-  }
-  template <class Part>
-  constexpr void operator()(const base::sequence<Part>& parts) {
-    write(parts.size());
-    for (const Part& each : parts) (*this)(each);
-  }
-  template <class Part>
-  constexpr void operator()(const std::optional<Part>& part) {
-    write(part.has_value());
-    if (part.has_value()) (*this)(*part);
-  }
-  constexpr void operator()(const base::sequence<symbolic::expression>& all) { // most of the content
-    write(all.size());
-    if (into_.integers + all.size() > image::most_integers) {
-      into_.is_full = true;
-      return;
-    }
-    for (const symbolic::expression& e : all)
-      into_.integer[into_.integers++] = e.is_given() ? e.node() : none;
-  }
-  constexpr void operator()(const symbolic::expression& e) { write(e.is_given() ? e.node() : none); }
-  constexpr void operator()(const base::name& called) {
-    write(called.length);
-    for (int i = 0; i < called.length; ++i) write(called.letters[i]);
-  }
-  constexpr void operator()(const describe::frame_record* const& r) {
-    if (has_room(into_.frames, image::most_entities)) into_.frame[into_.frames++] = r;
-  }
-  constexpr void operator()(const describe::point_record* const& r) {
-    if (has_room(into_.points, image::most_entities)) into_.point[into_.points++] = r;
-  }
-  constexpr void operator()(const mechanics::mechanism* const&) {} // there is only one
-
-private:
-  static constexpr int none = mechanics::none;
-
-  constexpr bool has_room(int count, int most) {
-    if (count == most) into_.is_full = true;
-    return count < most;
-  }
-
-  constexpr void write(int integer) {
-    if (has_room(into_.integers, image::most_integers)) into_.integer[into_.integers++] = integer;
-  }
-
-  constexpr void write_nodes(const symbolic::graph& g) {
-    if (g.size() > image::most_nodes) {
-      into_.is_full = true;
-      return;
-    }
-    into_.nodes = g.size();
-    int id = 0;
-    for (const symbolic::node& n : g) {
-      into_.op[id] = n.op;
-      into_.a[id] = n.a;
-      into_.b[id++] = n.b;
-    }
-  }
-
-  constexpr void write_numbers(const symbolic::graph& g) {
-    for (const symbolic::number& n : g.numbers()) {
-      if (!has_room(into_.numbers, image::most_numbers)) return;
-      into_.numerators[into_.numbers] = n.numerator;
-      into_.denominators[into_.numbers] = n.denominator;
-      into_.reals[into_.numbers++] = n.real;
-    }
-  }
-
-  constexpr void write_externals(const symbolic::graph& g) {
-    for (const symbolic::external_function* f : g.externals())
-      if (has_room(into_.externals, image::most_externals)) into_.external[into_.externals++] = f;
-  }
-
-  image& into_;
-};
-
-constexpr image_writer::image_writer(image& into, const symbolic::graph& g) : into_(into) {
-  write_nodes(g);
-  write_numbers(g);
-  write_externals(g);
-  (*this)(g.symbols());
-}
-
-/// Reads a derivation from an image: `read(part)` for each part, in the order in which `image_writer` wrote
-/// them. Nodes keep their indices.
-class image_reader {
-public:
-  constexpr image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m);
+  /// Writes; starts with the graph.
+  constexpr image_transfer(image& into, const symbolic::graph& g);
+  /// Reads; starts with the graph.
+  constexpr image_transfer(const image& from, symbolic::graph& g, const mechanics::mechanism& m);
 
   template <class... Parts>
     requires(sizeof...(Parts) > 1)
@@ -172,11 +78,8 @@ public:
   }
   template <class Part>
   constexpr void operator()(Part& part) {
-    if constexpr (std::is_same_v<Part, std::int64_t>) {
-      part = read();
-      part += one_above_int * read();
-    } else if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
-      part = static_cast<Part>(read());
+    if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
+      transfer(part);
     else if constexpr (requires { Part::each_member(part, *this); })
       Part::each_member(part, *this);
     else
@@ -184,40 +87,146 @@ public:
   }
   template <class Part>
   constexpr void operator()(base::sequence<Part>& parts) {
-    const int size = read();
-    parts.clear();
-    parts.resize(size);
+    if (writes_)
+      write(parts.size());
+    else
+      parts.clear(), parts.resize(read());
     for (Part& each : parts) (*this)(each);
   }
   template <class Part>
   constexpr void operator()(std::optional<Part>& part) {
-    if (read() == 0) return;
-    part.emplace(g_);
-    (*this)(*part);
+    if (writes_)
+      write(part.has_value());
+    else if (read() != 0)
+      part.emplace(*g_);
+    if (part.has_value()) (*this)(*part);
+  }
+  constexpr void operator()(base::sequence<symbolic::expression>& all) { // most of the content
+    if (writes_) return write(all);
+    all.clear();
+    all.resize(read());
+    for (symbolic::expression& e : all) {
+      const int node = from_->integer[next_integer_++];
+      if (node != none) e = {*g_, node};
+    }
   }
   constexpr void operator()(symbolic::expression& e) {
+    if (writes_) return write(e.is_given() ? e.node() : none);
     const int node = read();
-    if (node != mechanics::none) e = {g_, node};
+    if (node != none) e = {*g_, node};
+  }
+  constexpr void operator()(std::int64_t& part) { // in two parts
+    if (writes_) {
+      write(static_cast<int>(part % one_above_int)), write(static_cast<int>(part / one_above_int));
+    } else {
+      part = read();
+      part += one_above_int * read();
+    }
   }
   constexpr void operator()(base::name& called) {
-    called.length = read();
-    for (int i = 0; i < called.length; ++i) called.letters[i] = static_cast<char>(read());
+    transfer(called.length);
+    for (int i = 0; i < called.length; ++i) transfer(called.letters[i]);
   }
-  constexpr void operator()(const describe::frame_record*& r) { r = from_.frame[next_frame_++]; }
-  constexpr void operator()(const describe::point_record*& r) { r = from_.point[next_point_++]; }
-  constexpr void operator()(const mechanics::mechanism*& m) { m = &m_; }
+  constexpr void operator()(const describe::frame_record*& r) {
+    if (!writes_)
+      r = from_->frame[next_frame_++];
+    else if (has_room(into_->frames, image::most_entities))
+      into_->frame[into_->frames++] = r;
+  }
+  constexpr void operator()(const describe::point_record*& r) {
+    if (!writes_)
+      r = from_->point[next_point_++];
+    else if (has_room(into_->points, image::most_entities))
+      into_->point[into_->points++] = r;
+  }
+  constexpr void operator()(const mechanics::element_kind*& kind) {
+    if (!writes_)
+      kind = from_->kind[next_kind_++];
+    else if (has_room(into_->kinds, image::most_entities))
+      into_->kind[into_->kinds++] = kind;
+  }
+  constexpr void operator()(const mechanics::mechanism*& m) { // there is only one
+    if (!writes_) m = m_;
+  }
 
 private:
-  constexpr int read() { return from_.integer[next_integer_++]; }
+  static constexpr int none = mechanics::none;
 
-  const image& from_;
-  symbolic::graph& g_;
-  const mechanics::mechanism& m_;
-  int next_integer_ = 0, next_frame_ = 0, next_point_ = 0;
+  template <class Integer>
+  constexpr void transfer(Integer& part) {
+    if (writes_)
+      write(static_cast<int>(part));
+    else
+      part = static_cast<Integer>(read());
+  }
+
+  constexpr int read() { return from_->integer[next_integer_++]; }
+
+  constexpr bool has_room(int count, int most) {
+    if (count == most) into_->is_full = true;
+    return count < most;
+  }
+
+  constexpr void write(int integer) {
+    if (has_room(into_->integers, image::most_integers)) into_->integer[into_->integers++] = integer;
+  }
+  constexpr void write(const base::sequence<symbolic::expression>& all) {
+    write(all.size());
+    if (into_->integers + all.size() > image::most_integers) {
+      into_->is_full = true;
+      return;
+    }
+    for (const symbolic::expression& e : all)
+      into_->integer[into_->integers++] = e.is_given() ? e.node() : none;
+  }
+
+  constexpr void write_nodes(const symbolic::graph& g) {
+    if (g.size() > image::most_nodes) {
+      into_->is_full = true;
+      return;
+    }
+    into_->nodes = g.size();
+    int id = 0;
+    for (const symbolic::node& n : g) {
+      into_->op[id] = n.op;
+      into_->a[id] = n.a;
+      into_->b[id++] = n.b;
+    }
+  }
+
+  constexpr void write_numbers(const symbolic::graph& g) {
+    for (const symbolic::number& n : g.numbers()) {
+      if (!has_room(into_->numbers, image::most_numbers)) return;
+      into_->numerators[into_->numbers] = n.numerator;
+      into_->denominators[into_->numbers] = n.denominator;
+      into_->reals[into_->numbers++] = n.real;
+    }
+  }
+
+  constexpr void write_externals(const symbolic::graph& g) {
+    for (const symbolic::external_function* f : g.externals())
+      if (has_room(into_->externals, image::most_externals)) into_->external[into_->externals++] = f;
+  }
+
+  bool writes_ = false;
+  image* into_ = nullptr; ///< null if it reads
+  const image* from_ = nullptr;
+  symbolic::graph* g_ = nullptr;
+  const mechanics::mechanism* m_ = nullptr;
+  int next_integer_ = 0, next_frame_ = 0, next_point_ = 0, next_kind_ = 0;
 };
 
-constexpr image_reader::image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
-    : from_(from), g_(g), m_(m) {
+constexpr image_transfer::image_transfer(image& into, const symbolic::graph& g)
+    : writes_(true), into_(&into) {
+  write_nodes(g);
+  write_numbers(g);
+  write_externals(g);
+  base::sequence<symbolic::symbol> symbols = g.symbols();
+  (*this)(symbols);
+}
+
+constexpr image_transfer::image_transfer(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
+    : from_(&from), g_(&g), m_(&m) {
   base::sequence<symbolic::number> numbers;
   numbers.reserve(from.numbers);
   for (int i = 0; i < from.numbers; ++i)

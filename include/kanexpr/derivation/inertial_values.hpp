@@ -1,23 +1,30 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_inertia.hpp>
+#include <kanexpr/mechanics/loads/bounded_value.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <string_view>
+
 namespace kanexpr::derivation {
 
 /// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity depends on
-/// numeric values, stored as a sequence of operations on numbers. Programs use this sequence to check the
-/// parameters that they receive. Bodies beyond its capacity are not checked.
+/// numeric values, and values of loads that must be positive or not negative, stored as a sequence of
+/// operations on numbers. Programs use this sequence to check the parameters that they receive. Bodies and
+/// loads beyond its capacity are not checked.
 struct inertial_values {
-  static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40;
+  static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40, room_for_loads = 32;
 
   /// Each integer is the index of a step plus 1; 0 means that the value is unknown or needs no check.
   struct of_body {
@@ -25,6 +32,14 @@ struct inertial_values {
     int mass = 0;
     int inertia[6]{}; ///< xx, yy, zz, xy, yz, zx
     int way[3]{}; ///< from the mass center to the point about which the inertia is given, in the same axes
+  };
+
+  /// A value of a load, such as a stiffness.
+  struct of_load {
+    base::name parameter{}; ///< empty if the value is an expression of several
+    base::name called{};
+    int value = 0;
+    bool is_positive = false; ///< whether zero is a mistake too
   };
 
   int steps = 0;
@@ -36,9 +51,12 @@ struct inertial_values {
   of_body bodies[room_for_bodies]{};
   int named = 0;
   base::name names[room_for_names]{}; ///< names of bodies and of reference points of inertias
+  int bounded = 0;
+  of_load loads[room_for_loads]{};
 
-  /// Returns the first mistake for the given parameters: a value that is negative beyond rounding error, or
-  /// an inertia that no body can have. Values that depend on a NaN parameter are skipped.
+  /// Returns the first mistake for the given parameters: a value that is negative beyond rounding error, an
+  /// inertia that no body can have, or a zero that must be positive. Values that depend on a NaN parameter
+  /// are skipped.
   constexpr base::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
     for (int i = 0; i < steps; ++i) {
@@ -69,6 +87,15 @@ struct inertial_values {
         found = base::sentence({"a moment of inertia of ", names[each.called].view(), " is negative"});
       else
         found = mistake_in_inertia(each, value);
+    }
+    for (int i = 0; i < bounded && !found; ++i) {
+      const of_load& each = loads[i];
+      const bool is_zero = each.is_positive && base::equal(value[each.value - 1], 0.0);
+      if (is_zero || is_negative(each.value))
+        found = base::sentence({each.parameter.length > 0 ? "parameter " : "", each.parameter.view(),
+                                each.parameter.length > 0 ? ", " : "", each.called.view(),
+                                each.parameter.length > 0 ? "," : "",
+                                is_zero || each.is_positive ? " is not positive" : " is negative"});
     }
     return found;
   }
@@ -115,9 +142,28 @@ public:
   constexpr void read() {
     for (const mechanics::body& b : m_.bodies) add(b);
   }
+  constexpr void read(const mechanics::sequence<mechanics::bounded_value>& all) {
+    for (const mechanics::bounded_value& each : all) add(each);
+  }
 
 private:
   using expression = symbolic::expression;
+
+  constexpr void add(const mechanics::bounded_value& each) {
+    if (into_.bounded == inertial_values::room_for_loads || each.value.is_constant()) return;
+    const int value = place_of(each.value);
+    if (value == 0) return;
+    inertial_values::of_load& made = into_.loads[into_.bounded++];
+    made.value = value, made.is_positive = each.is_positive;
+    if (m_.parameters.find(each.value) >= 0) made.parameter = base::name(mechanics::called(m_, each.value));
+    made.called = base::name(without_preposition(each.of));
+  }
+  /// "the stiffness" for "the stiffness of the ", whose sentence continues with the name of a load.
+  static constexpr std::string_view without_preposition(std::string_view of) {
+    for (const std::string_view end : {" the ", " ", " between", " with", " of"})
+      if (of.ends_with(end)) of.remove_suffix(end.size());
+    return of;
+  }
 
   constexpr void add(const mechanics::body& b) {
     const bool is_inertia_asked = has_inertia_to_ask(b), is_mass_asked = !is_leaf(g_[b.mass.node()].op);

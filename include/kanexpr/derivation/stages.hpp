@@ -39,7 +39,7 @@ struct staged {
   image stored{};
 
   template <std::same_as<derived_system> System>
-  constexpr void take(const System& system, std::string_view called) {
+  constexpr void take(System& system, std::string_view called) {
     mistake = system.mistake();
     if (mistake) return;
     system.write(stored);

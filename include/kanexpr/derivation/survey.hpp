@@ -8,6 +8,7 @@
 
 namespace kanexpr::mechanics {
 class equations;
+struct multibody_system;
 } // namespace kanexpr::mechanics
 
 namespace kanexpr::derivation {
@@ -82,9 +83,10 @@ struct survey {
   }
 
   constexpr void take(derived_system& system);
-  /// Takes the properties from a mechanism and its equations; `derived` is null if a mistake occurred before
-  /// the equations were formed.
-  constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
+  /// Takes the properties from a system and its equations; `derived` is null if a mistake occurred before the
+  /// equations were formed.
+  constexpr void take(const mechanics::multibody_system& of, bool is_sound,
+                      const mechanics::equations* derived);
 
   /// The index in `names` of the first symbol of a kind; rates share the names of the coordinates.
   constexpr int first_of(symbolic::symbol_kind kind) const {

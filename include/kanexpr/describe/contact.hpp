@@ -2,14 +2,17 @@
 
 #include <kanexpr/describe/bristle.hpp>
 #include <kanexpr/describe/contact_record.hpp>
+#include <kanexpr/describe/diagnostics/misplaced_type.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
+#include <kanexpr/describe/operand.hpp>
 #include <kanexpr/describe/point.hpp>
 #include <kanexpr/describe/surface.hpp>
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <concepts>
 #include <string_view>
 #include <type_traits>
 
@@ -23,7 +26,8 @@ enum class contact_word : unsigned char {
   smoothed_over,
   damping,
   rolling_resistance,
-  spinning_resistance
+  spinning_resistance,
+  directional_friction
 };
 
 template <class Word, contact_word wanted>
@@ -45,6 +49,15 @@ constexpr void add_to_contact(contact_record& r) {
   if (r.fits) r.fits = fits;
 }
 
+/// Whether a value is the integer 1, such as 3/2 in C++.
+template <class Written>
+constexpr bool is_whole_one(const Written& value) {
+  if constexpr (plain_number<Written> && std::integral<Written>)
+    return value == Written{1};
+  else
+    return false;
+}
+
 template <contact_word wanted, class... Words>
 inline constexpr int times_of_contact_word = (0 + ... + static_cast<int>(is_contact_word<Words, wanted>));
 
@@ -54,7 +67,8 @@ constexpr std::string_view mistake_of_contact_words() {
   using enum contact_word;
   if constexpr (!(word_of_a_contact<Words> && ...))
     return "has an argument that is neither elastic<...>, smoothed_over<...>, restitution<...>, "
-           "dissipation<...>, rolling_resistance<...>, spinning_resistance<...> nor a law of friction";
+           "dissipation<...>, rolling_resistance<...>, spinning_resistance<...>, directional_friction<...> "
+           "nor a law of friction";
   else if (times_of_contact_word<elastic, Words...> != 1)
     return "needs one elastic<stiffness, exponent>";
   else if (times_of_contact_word<smoothed_over, Words...> != 1)
@@ -65,6 +79,8 @@ constexpr std::string_view mistake_of_contact_words() {
     return "has two rolling_resistance<...>";
   else if (times_of_contact_word<spinning_resistance, Words...> > 1)
     return "has two spinning_resistance<...>";
+  else if (times_of_contact_word<directional_friction, Words...> > 1)
+    return "has two directional_friction<...>";
   else if ((0 + ... + static_cast<int>(law_of_friction<Words>)) > 1)
     return "has two laws of friction";
   return {};
@@ -114,6 +130,9 @@ struct sphere_on_plane {
     r.normal = describe::phrase_of<normal>;
     r.radius = describe::phrase_of<radius>;
     if (sizeof...(Frame) > 1) r.mistake = "has a sphere_on_plane<...> with two frames";
+    if constexpr (sizeof...(Frame) == 0 && describe::describe_kind<Point>() == describe::point_out_of_place)
+      r.mistake = "has a sphere whose center is a point; write its frame last, as in sphere_on_plane<Center, "
+                  "radius, Place, normal, Frame>";
   }
 };
 
@@ -145,6 +164,9 @@ struct torus_on_plane {
     r.radius = describe::phrase_of<tube>;
     r.other_radius = describe::phrase_of<circle>;
     if (sizeof...(Frame) > 1) r.mistake = "has a torus_on_plane<...> with two frames";
+    if constexpr (sizeof...(Frame) == 0 && describe::describe_kind<Point>() == describe::point_out_of_place)
+      r.mistake = "has a torus whose center is a point; write its frame last, as in torus_on_plane<Center, "
+                  "axis, radius, tube, Place, normal, Frame>";
   }
 };
 
@@ -185,7 +207,8 @@ struct point_on_surface {
 };
 
 /// The elastic normal force k δⁿ at the penetration δ, as a word of a contact: `elastic<k, n>`. The exponent
-/// n is a number of at least 1, and 1 if it is omitted; 3/2 is that of Hertz.
+/// n is a number of at least 1, and 1 if it is omitted; 1.5 is that of Hertz. The integer 1 is a mistake,
+/// because it is also the value of 3/2 in C++.
 template <auto... stiffness_and_exponent>
 struct elastic {
   static constexpr auto contact_word = describe::contact_word::elastic;
@@ -196,6 +219,10 @@ struct elastic {
     r.exponent = sizeof...(stiffness_and_exponent) == 2
                      ? describe::given_phrases<stiffness_and_exponent...>[1]
                      : describe::phrase_of<describe::constant(1)>;
+    if constexpr (sizeof...(stiffness_and_exponent) == 2)
+      if ([](const auto&, const auto& n) { return describe::is_whole_one(n); }(stiffness_and_exponent...) &&
+          r.mistake.empty())
+        r.mistake = "has elastic<k, 1>; 1 is also the value of 3/2 in C++; write 1.5, or omit the exponent 1";
   }
 };
 
@@ -263,6 +290,21 @@ struct spinning_resistance {
   static constexpr void add_to(describe::contact_record& r) {
     r.spinning_lever = describe::given_phrases<lever_and_rate...>[0];
     r.spinning_rate = describe::given_phrases<lever_and_rate...>[1];
+  }
+};
+
+/// A direction in which friction differs, as a word of a contact: `directional_friction<Skate::x, 0.05>`. The
+/// law of friction holds across the direction, which is a vector fixed in a frame. Along it, the coefficient
+/// of friction is multiplied by the ratio, a positive number; in between, the limit of dry friction is an
+/// ellipse. The contact is undefined where the direction is parallel to its normal.
+template <auto direction, auto... ratio>
+struct directional_friction {
+  static constexpr auto contact_word = describe::contact_word::directional_friction;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("directional_friction<vector, ratio>", sizeof...(ratio), 1);
+  static constexpr void add_to(describe::contact_record& r) {
+    r.direction = describe::phrase_of<direction>;
+    r.ratio = describe::given_phrases<ratio...>[0];
   }
 };
 

@@ -31,6 +31,7 @@ struct contact_record {
   const friction_record* friction = nullptr;
   phrase lever{}, rolling_rate{};           ///< of the resistance to rolling
   phrase spinning_lever{}, spinning_rate{}; ///< of the resistance to spinning
+  phrase direction{}, ratio{};              ///< of directional friction
   arguments fits{};                         ///< of its words
   std::string_view mistake{};               ///< the end of a sentence, such as "has no elastic<...>"
 };

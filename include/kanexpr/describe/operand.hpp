@@ -107,4 +107,13 @@ constexpr auto misused(misuse what, const Operands&... x) {
   return joined<kind>(misused(what), operand_or_zero(x)...);
 }
 
+/// Returns the expression with the given index.
+template <std::size_t wanted, auto first, auto... rest>
+constexpr auto one_of() {
+  if constexpr (wanted == 0)
+    return first;
+  else
+    return one_of<wanted - 1, rest...>();
+}
+
 } // namespace kanexpr::describe

@@ -91,7 +91,7 @@ struct stop : describe::load_words {
       describe::load_word::path_stop, "the stop",
       describe::arguments_of("stop<Path, least, greatest, stiffness, damping, width>",
                              sizeof...(ends_stiffness_damping_and_width), 4, 5),
-      describe::given_phrases_with_zeros<ends_stiffness_damping_and_width...>,
+      describe::given_phrases<ends_stiffness_damping_and_width...>,
       sizeof...(ends_stiffness_damping_and_width));
 };
 

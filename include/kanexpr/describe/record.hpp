@@ -208,6 +208,7 @@ struct point_record : entity_record {
   bool from_parent =
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
   std::string_view its_own{};               ///< the point of that entity, if it has one
+  const frame_record* of_joint = nullptr;   ///< the frame of the joint whose point this is
   const body_record* on_beam = nullptr;     ///< the beam of a section
   bool is_off_beam = false;                 ///< whether the section is not between root and tip
   bool is_at_whole_zero = false;            ///< whether its place is the integer 0, such as 1/2
@@ -239,6 +240,7 @@ struct friction_record;
 struct contact_record;
 struct muscle_record;
 struct tyre_record;
+struct wheel_record;
 
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
@@ -251,6 +253,12 @@ struct coefficient_record {
   std::string_view word{}; ///< its name in messages, such as "the drag coefficient"
   units::unit unit{};
   phrase value{};
+};
+
+/// An argument of a block or a motor that must be positive.
+struct positive_argument {
+  phrase value{};
+  std::string_view of{}; ///< its name, such as "the time constant of "
 };
 
 struct load_record {
@@ -266,12 +274,14 @@ struct load_record {
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
-  const friction_record* friction = nullptr;       ///< the law of a friction in a joint
-  const contact_record* contact = nullptr;         ///< null if it is not a contact
-  const muscle_record* muscle = nullptr;           ///< null if it is not a muscle
-  const tyre_record* tyre = nullptr;               ///< null if it is not a tyre
+  const friction_record* friction = nullptr; ///< the law of a friction in a joint
+  const contact_record* contact = nullptr;   ///< null if it is not a contact
+  const muscle_record* muscle = nullptr;     ///< null if it is not a muscle
+  const tyre_record* tyre = nullptr;         ///< null if it is not a tyre
+  const wheel_record* wheel = nullptr;       ///< of `contact_point` and `penetration_of`, in place of a load
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
+  listing<positive_argument> positive{};           ///< the arguments of a motor that must be positive
   const path_record* path = nullptr;               ///< the pathway along which it acts
   const joint_record* joint = nullptr; ///< the joint in which a motor acts, if its rotor has an inertia
   const phrase* rotor = nullptr;       ///< the inertia of the rotor and its gear ratio
@@ -288,6 +298,7 @@ struct load_record {
 struct block_record : entity_record {
   arguments fits{};
   listing<phrase> states{}, dynamics{};
+  listing<positive_argument> positive{};
 };
 
 /// The contributions of a joint to a system in addition to its frame and its point.

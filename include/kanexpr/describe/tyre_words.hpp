@@ -126,7 +126,7 @@ struct radial_stiffness {
       "radial_stiffness<stiffness, damping, width>", sizeof...(stiffness_damping_and_width), 3);
   static constexpr void add_to(describe::tyre_record& r) {
     r.stiffness = describe::given_phrases<stiffness_damping_and_width...>[0];
-    r.damping = describe::given_phrases_with_zeros<stiffness_damping_and_width...>[1];
+    r.damping = describe::given_phrases<stiffness_damping_and_width...>[1];
     r.width = describe::given_phrases<stiffness_damping_and_width...>[2];
   }
 };

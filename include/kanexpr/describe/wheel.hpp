@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/describe/diagnostics/misplaced_type.hpp>
+#include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/operators.hpp>
 #include <kanexpr/describe/point.hpp>
 #include <kanexpr/describe/record.hpp>
@@ -35,6 +37,9 @@ constexpr void add_wheel(wheel_record& r, mechanics::rim_shape rim, const phrase
   r.frame = &frame_of<wheel_frame<Center, Frame...>>;
   r.axis = axis, r.radius = radius;
   if (sizeof...(Frame) > 1) r.mistake = "has a wheel with two frames";
+  if constexpr (sizeof...(Frame) == 0 && describe_kind<Center>() == point_out_of_place)
+    r.mistake = "has a wheel whose center is a point; write its frame after the radius, as in "
+                "thin_wheel<Center, axis, radius, Frame>";
 }
 
 /// From the center of a wheel to its lowest point above a plane. The radius of the tube is omitted for a thin
@@ -52,16 +57,19 @@ template <class Wheel, class Ground>
 constexpr wheel_record record_wheel() {
   using enum mechanics::rim_shape;
   wheel_record r;
-  if constexpr (requires { Wheel::add_to(r); })
+  if constexpr (requires { Wheel::add_to(r); }) {
     Wheel::add_to(r);
-  else
+  } else {
     r.mistake = "begins with neither thin_wheel<...>, toroidal_wheel<...> nor conical_wheel<...>";
-  if (!r.mistake.empty()) return r;
+    return r;
+  }
+  const std::string_view of_wheel = r.mistake;
   if constexpr (requires { Ground::lie_under(r); })
     Ground::lie_under(r);
   else
     r.mistake = "names no ground; after the wheel, write flat_ground<...>, uneven_ground<...> or "
                 "straight_rail<...>";
+  if (!of_wheel.empty()) r.mistake = of_wheel;
   if (!r.mistake.empty()) return r;
   const bool is_on_rail = r.ground == mechanics::ground_shape::rail;
   if (r.rim == conical && !is_on_rail)
@@ -82,6 +90,31 @@ concept is_in_closed_form = requires {
 /// The record of a wheel and its ground.
 template <class Wheel, class Ground>
 inline constexpr wheel_record wheel_of = record_wheel<Wheel, Ground>();
+
+/// A wheel and its ground in place of a load.
+template <class Wheel, class Ground>
+inline constexpr load_record wheel_as_load{.what = load_word::none, .wheel = &wheel_of<Wheel, Ground>};
+
+template <class Wheel, class Ground>
+constexpr token of_wheel(load_quantity what) {
+  return of_load(what, &wheel_as_load<Wheel, Ground>,
+                 !is_known_to_all_files<Wheel> || !is_known_to_all_files<Ground>);
+}
+
+template <class Wheel>
+concept is_wheel = requires(wheel_record r) {
+  typename Wheel::center;
+  Wheel::add_to(r);
+};
+
+/// From the center of a wheel to its lowest point above any ground.
+template <class Wheel, class Ground>
+constexpr auto lowest_point() {
+  if constexpr (is_in_closed_form<Wheel, Ground>)
+    return Wheel::template to_lowest<Ground>;
+  else
+    return vector<1>{{of_wheel<Wheel, Ground>(load_quantity::lowest_point)}};
+}
 
 } // namespace describe
 
@@ -181,19 +214,26 @@ struct straight_rail {
   }
 };
 
-/// The lowest point of a thin or toroidal wheel on flat ground, as a material point of the wheel: `struct C :
-/// contact_point<C, thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` The wheel touches the ground
-/// if the position of this point along the normal is zero, and rolls without slip if its velocity is zero.
+/// The point of a wheel that is deepest in the ground, on flat ground its lowest, as a material point of the
+/// wheel: `struct C : contact_point<C, thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` The wheel
+/// touches the ground at this point if its `penetration_of` is zero, and rolls without slip if the velocity
+/// of the point is that of the ground.
 template <class Self, class Wheel, class Ground>
 struct contact_point {
-  static_assert(describe::is_in_closed_form<Wheel, Ground>,
-                "contact_point<Self, Wheel, Ground> requires a thin_wheel<...> or toroidal_wheel<...> on "
-                "flat_ground<...>");
+  static_assert(describe::is_wheel<Wheel>, "contact_point<Self, Wheel, Ground> requires a thin_wheel<...>, "
+                                           "toroidal_wheel<...> or conical_wheel<...>");
 };
 template <class Self, class Wheel, class Ground>
-  requires describe::is_in_closed_form<Wheel, Ground>
+  requires describe::is_wheel<Wheel>
 struct contact_point<Self, Wheel, Ground>
-    : offset<Self, typename Wheel::center, Wheel::template to_lowest<Ground>>,
+    : offset<Self, typename Wheel::center, describe::lowest_point<Wheel, Ground>()>,
       fixed_in<typename Wheel::frame> {};
+
+/// The distance by which an undeformed wheel overlaps the ground, in m; negative if the wheel is above:
+/// `configuration_constraints<penetration_of<toroidal_wheel<...>, uneven_ground<...>> == 0>`. It depends only
+/// on coordinates and parameters.
+template <class Wheel, class Ground>
+inline constexpr scalar<1> penetration_of{
+    {describe::of_wheel<Wheel, Ground>(describe::load_quantity::penetration)}};
 
 } // namespace kanexpr

@@ -3,6 +3,7 @@
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/loads/wheel_shapes.hpp>
 
+#include <array>
 #include <string_view>
 
 namespace kanexpr::describe {
@@ -20,5 +21,9 @@ struct wheel_record {
   int steps = 0;              ///< of Newton's method above an uneven ground
   std::string_view mistake{}; ///< the end of a sentence; empty if there is none
 };
+
+constexpr std::array<const phrase*, 8> phrases_of(const wheel_record& r) {
+  return {&r.axis, &r.radius, &r.tube, &r.conicity, &r.normal, &r.along, &r.head, &r.height};
+}
 
 } // namespace kanexpr::describe

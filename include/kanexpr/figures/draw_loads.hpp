@@ -87,8 +87,7 @@ inline text label_of_path_load(const mechanics::path_load& each) {
 }
 
 /// A load along a pathway is drawn as the line of the pathway.
-inline void draw_path_load(drawing& d, int i) {
-  const mechanics::path_load& each = d.system.loads.path_loads[i];
+inline void draw_path_load(drawing& d, const mechanics::path_load& each, int i) {
   const numeric::taut_line line =
       line_along(each.along, d.at.surfaces[static_cast<std::size_t>(i)],
                  [&](int point) { return d.at.points[static_cast<std::size_t>(point)]; });
@@ -106,7 +105,8 @@ inline void draw_path_load(drawing& d, int i) {
 inline void draw_loads(drawing& d) {
   for (int i = 0; i < d.system.loads.forces.size(); ++i) draw_force(d, i);
   for (int i = 0; i < d.system.loads.torques.size(); ++i) draw_torque(d, i);
-  for (int i = 0; i < d.system.loads.path_loads.size(); ++i) draw_path_load(d, i);
+  const base::sequence<mechanics::path_load> path_loads = d.system.loads.all<mechanics::path_load>();
+  for (int i = 0; i < path_loads.size(); ++i) draw_path_load(d, path_loads[i], i);
   for (const mechanics::spring_damper& each : d.system.loads.spring_dampers) {
     const Eigen::Vector2d from = d.picture(each.point), along = d.picture(each.against) - from;
     if (along.norm() < 4) continue;

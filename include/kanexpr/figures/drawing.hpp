@@ -83,7 +83,7 @@ struct drawing {
   /// An expression without the sign of a negative product; the direction in which the quantity is drawn shows
   /// the sign.
   static std::string name_of_size(const symbolic::expression& e) {
-    const std::string printed = symbolic::print(e);
+    const std::string printed = symbolic::print_in_sentence(e);
     const bool is_sum = printed.find(" + ") != std::string::npos || printed.find(" - ") != std::string::npos;
     return printed.starts_with('-') && !is_sum ? printed.substr(1) : printed;
   }

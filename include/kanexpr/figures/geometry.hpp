@@ -132,6 +132,7 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
                             const Eigen::VectorXd& r) {
   const mechanics::multibody_system& system = m.system();
   const mechanics::mechanism& mechanism = system.mechanism;
+  const base::sequence<mechanics::path_load> path_loads = system.loads.all<mechanics::path_load>();
   detail::evaluation placed(m), loaded(m);
   for (int f = 0; f < mechanism.frames.size(); ++f) {
     for (int axis = 0; axis < 3; ++axis) placed.ask(detail::basis_vector(mechanism, f, axis));
@@ -154,7 +155,7 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) placed.ask(inertia(i, j));
   }
-  for (const mechanics::path_load& each : system.loads.path_loads) {
+  for (const mechanics::path_load& each : path_loads) {
     if (!each.along.is_around_surface()) continue;
     mechanics::vector axis;
     axis.add(each.along.frame, each.along.surface.axis);
@@ -183,7 +184,7 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     for (int row = 0; row < 3; ++row) inertia.row(row) = placed.vector();
     g.inertias.push_back(inertia);
   }
-  for (const mechanics::path_load& each : system.loads.path_loads) {
+  for (const mechanics::path_load& each : path_loads) {
     g.surfaces.emplace_back();
     if (!each.along.is_around_surface()) continue;
     const Eigen::Vector3d axis = placed.vector();

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/file_text.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +23,9 @@ struct [[nodiscard]] read_body : outcome {
 /// Reads a file with a function that takes its text and its name.
 template <class Read>
 read_body read_file(const std::string& path, const Read& read) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return read_body(path + " cannot be read");
-  return read(text, path.substr(path.rfind('/') + 1));
+  const std::optional<std::string> text = base::text_of(path);
+  if (!text) return read_body(path + " cannot be read");
+  return read(*text, path.substr(path.rfind('/') + 1));
 }
 
 } // namespace kanexpr::flexible

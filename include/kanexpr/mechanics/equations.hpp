@@ -24,9 +24,9 @@
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/substituted_rates.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/sizes/term_sizes.hpp>
 
 #include <utility>
@@ -140,9 +140,9 @@ public:
   /// Substitutes the rates q̇ and u̇ from the equations of motion into an expression.
   constexpr expression in_motion(expression e) { return in_motion(column({e})).entries[0]; }
   constexpr symbolic::matrix in_motion(symbolic::matrix m) {
-    m = at_coordinate_rates(std::move(m));
-    if (!has_speed_rates(m)) return m;
-    return at_speed_rates(std::move(m), accelerations());
+    m = at_coordinate_rates(s_, std::move(m));
+    if (!has_speed_rates(*m_, m)) return m;
+    return at_speed_rates(*m_, std::move(m), accelerations());
   }
 
   /// Substitutes the dependent speeds from the constraints into an expression, unless a constraint is not
@@ -179,26 +179,10 @@ public:
 
 private:
   constexpr symbolic::matrix of_derivatives(quantity wanted) {
-    symbolic::matrix m = at_coordinate_rates(at_given_rates(wanted));
-    if (!has_speed_rates(m)) return m;
+    symbolic::matrix m = at_coordinate_rates(s_, at_given_rates(wanted));
+    if (!has_speed_rates(*m_, m)) return m;
     mass(); // may report a mistake
-    return at_speed_rates(std::move(m), dynamics_.accelerations_by_elimination());
-  }
-
-  constexpr symbolic::matrix at_coordinate_rates(symbolic::matrix m) const {
-    known_rates known(*m_, s_.coordinate_rates);
-    without_auxiliary_speeds drop(*m_);
-    for (expression& e : m.entries) e = drop.in(known.in(e));
-    return m;
-  }
-  constexpr bool has_speed_rates(const symbolic::matrix& m) const {
-    return depends_on(*m_->g, nodes_of(m.entries), nodes_of(m_->speed_rates));
-  }
-  constexpr symbolic::matrix at_speed_rates(symbolic::matrix m, const sequence<expression>& udot) const {
-    symbolic::substitution accelerated(*m_->g);
-    for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], udot[i]);
-    for (expression& e : m.entries) e = accelerated.in(e);
-    return m;
+    return at_speed_rates(*m_, std::move(m), dynamics_.accelerations_by_elimination());
   }
 
   constexpr bool is_sound() {
@@ -338,15 +322,7 @@ private:
     motion k = motion_on_accelerated_ground(s_, system_->loads, m_->speed_rates);
     if (!mistake_) mistake_ = check_regressor(s_, k);
     if (mistake_) return {};
-    const symbolic::matrix of_all = regressor_of_all(s_, k);
-    symbolic::matrix of_independent(*m_->g, speeds_.independent.size(), of_all.columns);
-    for (int j = 0; j < of_all.columns; ++j) {
-      sequence<expression> force;
-      for (int i = 0; i < of_all.rows; ++i) force.push(of_all(i, j));
-      const sequence<expression> reduced = dynamics_.reduce(force);
-      for (int i = 0; i < reduced.size(); ++i) of_independent(i, j) = reduced[i];
-    }
-    return of_independent;
+    return dynamics_.reduce(regressor_of_all(s_, k));
   }
 
   constexpr symbolic::matrix coriolis() {

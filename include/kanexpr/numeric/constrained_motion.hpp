@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
+#include <kanexpr/numeric/central_interpolation.hpp>
 #include <kanexpr/numeric/constrained_minimum.hpp>
 
 #include <Eigen/Core>
@@ -142,7 +143,6 @@ private:
   static constexpr number spacing =
       number(2e-2); ///< the distance between interpolated states, relative to their size
   static constexpr int most_steps = 20, samples = 3;
-  static constexpr int strides[4]{2, 3, 4, 5};
 
   static status inconsistent() {
     return status("the constraints are dependent or inconsistent near this state");
@@ -341,7 +341,7 @@ private:
       for (int i = 0; i < of_.coordinates(); ++i) there(i) += ahead * from.rates(i);
       return find_at_nearest(there, one);
     };
-    constexpr number farthest_stride = strides[3];
+    constexpr number farthest_stride = central_interpolation::strides[3];
     for (int tries = 0; tries < 4; ++tries) { // the magnitudes of angles may span many revolutions
       motion one;
       if (!find_ahead(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * spacing)) break;
@@ -350,7 +350,7 @@ private:
     motion sum{state::Zero(from.x.size()), state::Zero(from.x.size())};
     Eigen::Index rank = 0;
     number usual = 0;
-    for (const int reach : strides)
+    for (const int reach : central_interpolation::strides)
       for (const int side : {-1, 1}) {
         const number ahead = static_cast<number>(side * reach) * step;
         motion one;
@@ -359,7 +359,7 @@ private:
         rank = (std::max)(rank, j.rank(nonzero_tolerance * usual_));
         if (rank != 0) usual = (std::max)(usual, j[rank - 1]);
         if (rank == usual_rank_ && distinct_ < 2 * min_distinctness) return inconsistent();
-        const number weight = weight_of(reach);
+        const number weight = central_interpolation::weight_of<number>(reach);
         for (int i = 0; i < of_.coordinates(); ++i) one.x(i) -= ahead * from.rates(i);
         sum.x += weight * one.x;
         sum.rates += weight * one.rates;
@@ -370,16 +370,6 @@ private:
     }
     found = sum;
     return {};
-  }
-
-  /// Returns the weight of each of the two states at the same distance before and after, in the polynomial
-  /// interpolation through all states.
-  static constexpr number weight_of(int reach) {
-    number weight = number(0.5);
-    for (const int other : strides)
-      if (other != reach)
-        weight *= static_cast<number>(other * other) / static_cast<number>(other * other - reach * reach);
-    return weight;
   }
 
   const Equations& of_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/robots/cpp.hpp>
+#include <kanexpr/robots/joint_constants.hpp>
 #include <kanexpr/robots/physical_quantity.hpp>
 #include <kanexpr/robots/plan.hpp>
 
@@ -38,7 +39,8 @@ public:
     write_gravity();
     return preamble(called, from) + symbols() +
            "/// The ground, its axes and its origin.\nstruct N : inertial_ground<N> {};\n\n" + declarations_ +
-           system() + limits() + at_rest() + values() + "\n} // namespace " + called + "\n";
+           system() + limits_of(plan_, source_) + at_rest_of(plan_) + values() + "\n} // namespace " +
+           called + "\n";
   }
 
 private:
@@ -168,7 +170,7 @@ private:
                  greatest = (std::min)(j.limits.upper, by.no_limit);
     std::vector<std::string> arguments{called};
     for (const double each : {least, greatest, stiffness, by.damping, by.width})
-      arguments.push_back(cpp::number(each));
+      arguments.push_back(each == 0 ? "0.0" : cpp::number(each)); // the integer 0 is a mistake
     return "stop<" + cpp::list(arguments) + ">";
   }
 
@@ -352,34 +354,6 @@ private:
                                     {"loads", loads_}})
       if (!all.empty()) lines += ",\n" + cpp::wrapped(std::string(10, ' ') + word + "<", all) + ">";
     return lines + "> {};\n";
-  }
-
-  /// Writes the limits of the joints with one coordinate, in the order of the joints.
-  std::string limits() const {
-    std::vector<std::string> lower, upper, effort, velocity;
-    for (const planned_joint& j : plan_.joints) {
-      if (j.joint < 0 || !has_one_coordinate(j.kind)) continue;
-      const joint_limits& l = entry(source_.joints, j.joint).limits;
-      lower.push_back(cpp::limit(l.lower)), upper.push_back(cpp::limit(l.upper));
-      effort.push_back(cpp::limit(l.effort)), velocity.push_back(cpp::limit(l.velocity));
-    }
-    if (lower.empty()) return {};
-    std::string lines =
-        "\n/// The limits of the joints with one coordinate, in their order.\n"
-        "struct limits {\n  static constexpr double no_limit = std::numeric_limits<double>::infinity();\n";
-    for (const auto& [called, all] :
-         {named_list("lower", lower), {"upper", upper}, {"effort", effort}, {"velocity", velocity}})
-      lines += cpp::wrapped(std::string("  static constexpr double ") + called + "[]{", all) + "};\n";
-    return lines + "};\n";
-  }
-
-  std::string at_rest() const {
-    std::string lines =
-        "\n/// The state at rest in which all joint positions are zero.\ninline state<System> at_rest() {\n"
-        "  state<System> x = state<System>::Zero();\n";
-    for (const planned_joint& j : plan_.joints)
-      if (j.kind == joint_kind::floating) lines += "  x[" + j.coordinates.back().called + "] = 1;\n";
-    return lines + "  return x;\n}\n";
   }
 
   std::string values() const {

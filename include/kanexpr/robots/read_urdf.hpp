@@ -1,13 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/file_text.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/robots/options.hpp>
 #include <kanexpr/robots/robot.hpp>
 #include <kanexpr/robots/urdf/document.hpp>
 #include <kanexpr/robots/urdf/reader.hpp>
 
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,10 +40,9 @@ read_robot read_text(const std::string& text, const std::string& called, const r
 
 template <class Reader>
 read_robot read_file(const std::string& path, const reading_options& options) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return read_robot(path + " cannot be read");
-  return read_text<Reader>(text, path.substr(path.rfind('/') + 1), options);
+  const std::optional<std::string> text = base::text_of(path);
+  if (!text) return read_robot(path + " cannot be read");
+  return read_text<Reader>(*text, path.substr(path.rfind('/') + 1), options);
 }
 
 } // namespace detail

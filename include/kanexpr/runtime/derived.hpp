@@ -48,7 +48,7 @@ public:
   virtual mechanics::possible_unit unit_of(const describe::phrase& p) const = 0;
 
   /// Stores the derivation. Requires that there is no mistake.
-  virtual void store(derivation::image& into) const = 0;
+  virtual void store(derivation::image& into) = 0;
   /// The same system in a separate graph, resumed from the stored derivation.
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 

@@ -55,7 +55,7 @@ public:
     return derivation::unit_of(record_, p);
   }
 
-  void store(derivation::image& into) const override { system_.write(into); }
+  void store(derivation::image& into) override { system_.write(into); }
   std::shared_ptr<derived> resumed(const derivation::image& from) const override {
     return std::make_shared<derived_from_types>(*this, from);
   }
@@ -84,8 +84,8 @@ public:
       : graph_(std::make_shared<symbolic::graph>()), system_(*graph_), no_words_(same.no_words_) {
     equations_.emplace(system_, mechanics::equations::for_restore{});
     reader_.set_known_motion(equations_->known());
-    derivation::image_reader read(from, *graph_, system_.mechanism);
-    each_part(*this, read);
+    derivation::image_transfer read(from, *graph_, system_.mechanism);
+    each_part(read);
   }
 
   const base::sentence& mistake() const override {
@@ -107,20 +107,19 @@ public:
   }
   mechanics::possible_unit unit_of(const describe::phrase&) const override { return std::nullopt; }
 
-  void store(derivation::image& into) const override {
-    derivation::image_writer write(into, *graph_);
-    each_part(*this, write);
+  void store(derivation::image& into) override {
+    derivation::image_transfer write(into, *graph_);
+    each_part(write);
   }
   std::shared_ptr<derived> resumed(const derivation::image& from) const override {
     return std::make_shared<derived_from_builder>(*this, from);
   }
 
 private:
-  template <class Self, class Visit>
-  static void each_part(Self& self, Visit& visit) {
-    visit(self.system_);
-    visit(self.reader_);
-    visit(*self.equations_);
+  void each_part(derivation::image_transfer& visit) {
+    visit(system_);
+    visit(reader_);
+    visit(*equations_);
   }
 
   std::shared_ptr<symbolic::graph> graph_;

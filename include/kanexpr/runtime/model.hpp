@@ -19,7 +19,9 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/printing/text_with_parts.hpp>
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -124,10 +126,10 @@ public:
   }
   mechanics::vector vector(const describe::phrase& words);
 
-  std::string print(const mechanics::vector& v,
-                    mechanics::basis_style style = mechanics::basis_style::xyz) const;
-  std::string latex(const mechanics::vector& v,
-                    mechanics::basis_style style = mechanics::basis_style::xyz) const;
+  std::string print(const mechanics::vector& v, mechanics::basis_style style = mechanics::basis_style::xyz,
+                    std::size_t longest = symbolic::longest_text) const;
+  std::string latex(const mechanics::vector& v, mechanics::basis_style style = mechanics::basis_style::xyz,
+                    std::size_t longest = symbolic::longest_text) const;
 
   /// Returns a function that interprets a result with the same steps as the compiled function. The first
   /// requested result agrees with the compiled one to the last bit. Later results share expressions with

@@ -135,16 +135,18 @@ KANEXPR_ENGINE runtime::linearization model::linearize(const linearization_point
   return {system_, at.with(second).with(third)};
 }
 
-KANEXPR_ENGINE std::string model::print(const mechanics::vector& v, mechanics::basis_style style) const {
-  return mechanics::print(mechanism(), v, style);
+KANEXPR_ENGINE std::string model::print(const mechanics::vector& v, mechanics::basis_style style,
+                                        std::size_t longest) const {
+  return mechanics::print(mechanism(), v, style, longest);
 }
-KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::basis_style style) const {
-  return mechanics::latex(mechanism(), v, style);
+KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::basis_style style,
+                                        std::size_t longest) const {
+  return mechanics::latex(mechanism(), v, style, longest);
 }
 
 KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
   auto found = std::make_shared<derivation::survey>();
-  found->take(mechanism(), !system_->mistake(), system_->equations());
+  found->take(system_->system(), !system_->mistake(), system_->equations());
   found->states_units = system_->states_units();
   return found;
 }

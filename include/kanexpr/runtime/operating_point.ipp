@@ -207,7 +207,7 @@ private:
         continue;
       if (vanishes(left[i], terms[i])) continue;
       failures_.push_back("the operating point does not satisfy " + what + std::to_string(i + 1) +
-                          ": the residual is " + symbolic::print(left[i]));
+                          ": the residual is " + symbolic::print_in_sentence(left[i]));
     }
   }
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Axes of any length: only their directions matter.
 #include "describe/joints/by_hand.hpp"
 

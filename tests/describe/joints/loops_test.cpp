@@ -1,3 +1,4 @@
+// builds: clang++
 // Loops that are closed by a pin or a weld, compared with the same mechanism without a loop.
 #include "describe/joints/by_hand.hpp"
 

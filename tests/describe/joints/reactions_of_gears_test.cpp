@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // Reactions of joints whose coordinates and speeds are constrained by gears, belts, racks and equations,
 // driven by springs, and shared with other bodies, compared with the Newton-Euler equations.
 #include "describe/joints/newton_euler.hpp"

@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // Reactions of the joints of a chain, compared with the Newton-Euler equations.
 #include "describe/joints/newton_euler.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 // A body attached to a parent that slides without rotating moves with the parent.
 #include "describe/joints/newton_euler.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 #include "describe/joints/by_hand.hpp"
 
 // Joints whose two points move apart, with locations away from both points.

@@ -27,7 +27,7 @@ struct Hand : kane_system<inertial<Ground>, coordinates<q>, speeds<u>, kinematic
 TEST(pin, is_a_turn_about_its_axis) { expect_same_motion<hinge::System, hinge::Hand>(); }
 
 namespace driven {
-struct Link : pin<Link, Ground, axis<own::y>, seat, home<0.7, Ground::z>, load, stops<-0.2, 0, 40, 0.2>,
+struct Link : pin<Link, Ground, axis<own::y>, seat, home<0.7, Ground::z>, load, stops<-0.2, 0.0, 40, 0.2>,
                   rotor<0.02, 7>> {};
 struct System : kane_system<inertial<Ground>, joints<Link>,
                             loads<weight, linear_spring<Link, 3, 0.2>, linear_damper<Link, 0.4>>> {};
@@ -39,7 +39,7 @@ struct Rotor
 struct Hand
     : kane_system<inertial<Ground>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Body, Rotor>,
                   loads<weight, torsional_spring<q, 3, 0.2>, torsional_damper<Child, Ground, 0.4>,
-                        stop<given_length<q>, -0.2, 0, 40, 0.2>>> {};
+                        stop<given_length<q>, -0.2, 0.0, 40, 0.2>>> {};
 struct By_lagrange
     : lagrange_system<inertial<Ground>, joints<driven::Link>,
                       loads<weight, linear_spring<driven::Link, 3, 0.2>, linear_damper<driven::Link, 0.4>>> {

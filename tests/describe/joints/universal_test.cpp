@@ -1,4 +1,4 @@
-// builds: clang++ sanitize
+// builds: clang++ sanitize all
 #include "describe/joints/by_hand.hpp"
 
 #include <Eigen/Geometry>

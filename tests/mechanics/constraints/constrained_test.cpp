@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Random mechanisms with random constraints, compared with the Newton-Euler equations with Lagrange
 // multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ], in plain numbers.
 #include "mechanics/random/bound_mechanism.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // Constraints that are not linear in the speeds, compared with Gauss's principle of least constraint.
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Random mechanisms at states that violate all constraints: the derivatives of all rates with respect to the
 // whole state and the inputs, compared with complex steps, and the forces of all speeds, compared with the
 // multipliers.
@@ -90,7 +91,7 @@ double imbalance(recipe::bound_mechanism& one) {
 
 TEST(free_directions, differentiate_the_whole_right_side) {
   int compared = 0, constrained = 0;
-  for (unsigned seed = 0; compared < 150 && seed < 2000 && !HasFailure(); ++seed) {
+  for (unsigned seed = 0; compared < 100 && seed < 2000 && !HasFailure(); ++seed) {
     SCOPED_TRACE("mechanism " + std::to_string(seed));
     recipe::mechanism m = recipe::generator(seed, false).run();
     recipe::random_springs(m, seed).hang();
@@ -106,8 +107,8 @@ TEST(free_directions, differentiate_the_whole_right_side) {
     EXPECT_LE((along_rotations(m, jacobian(one)) - expected).norm(), 3e-10 * (1 + expected.norm()));
     EXPECT_LE(imbalance(one), 1e-12);
   }
-  EXPECT_EQ(compared, 150);
-  EXPECT_GT(constrained, 60);
+  EXPECT_EQ(compared, 100);
+  EXPECT_GT(constrained, 40);
 }
 
 } // namespace

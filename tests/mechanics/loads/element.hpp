@@ -32,6 +32,7 @@ struct element {
   nature is{};
   std::function<mechanism_with_element()> build;
   std::function<double(const VectorXd& measured)> power;
+  std::function<void(VectorXd& state)> settle = [](VectorXd&) {}; ///< moves a random state to a valid one
 };
 
 } // namespace elements

@@ -1,6 +1,6 @@
-// Muscles with tendons: the balance of their fibers, their formulations against each other, their
-// derivatives, their equilibria and the limit of a rigid tendon. SymPy's references are in
-// sympy_actuators_test.cpp.
+// Muscles with tendons: the balance of their fibers, their formulations against each other, their equilibria
+// and the limit of a rigid tendon. Their power and derivatives are in elements_test.cpp, and SymPy's
+// references in sympy_actuators_test.cpp.
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <kanexpr/lower/complex_math.hpp>
@@ -145,46 +145,6 @@ TEST(muscles, formulations_agree) {
   }
 }
 
-TEST(muscles, have_derivatives) {
-  using enum muscle_formulation;
-  for (const muscle_formulation each : {rigid_tendon, tendon_force, fiber_length}) {
-    pulled b;
-    muscle_data data = some_muscle(each);
-    data.has_activation_dynamics = true;
-    b.muscle("M", b.straight(b.o, b.p), b.e, data);
-    auto model = kanexpr::derive(b);
-    ASSERT_EQ(model.mistake(), "");
-    auto jacobian = model.function(model.get(quantity::state_jacobian));
-    auto rhs = model.function<std::complex<double>>(model.get(quantity::rhs));
-    auto in_float = model.function<float>(model.get(quantity::rhs));
-    auto copied = kanexpr::runtime::derive_in_own_graph(b);
-    auto elsewhere = copied.function(copied.get(quantity::rhs));
-    const int n = each == rigid_tendon ? 3 : 4;
-    random_numbers source;
-    for (int k = 0; k < 20; ++k) {
-      VectorXd x(n);
-      x.head(3) << source.between(0.3, 0.38), source.between(-0.5, 0.5), source.between(0.05, 1);
-      if (n == 4) x(3) = each == tendon_force ? source.between(0.1, 1) : source.between(0.7, 1.2);
-      const VectorXd r = VectorXd::Constant(1, source.between(0, 1));
-      MatrixXd by_steps(n, n);
-      VectorXd rates;
-      for (int j = 0; j < n; ++j) {
-        Eigen::VectorXcd moved = x;
-        moved(j) += std::complex<double>(0, 1e-30);
-        const Eigen::VectorXcd f = rhs(moved, Eigen::VectorXcd(0), Eigen::VectorXcd(r));
-        by_steps.col(j) = f.imag() / 1e-30;
-        rates = f.real();
-      }
-      const MatrixXd exact = jacobian(x, VectorXd(0), r);
-      EXPECT_LT((exact - by_steps).norm(), 1e-10 * exact.norm()) << k;
-      EXPECT_LT((VectorXd(elsewhere(x, VectorXd(0), r)) - rates).norm(), 1e-12 * rates.norm());
-      const Eigen::VectorXf single =
-          in_float(Eigen::VectorXf(x.cast<float>()), Eigen::VectorXf(0), Eigen::VectorXf(r.cast<float>()));
-      EXPECT_LT((single.cast<double>() - rates).norm(), 3e-4 * rates.norm());
-    }
-  }
-}
-
 // Around a cylinder and with a moment arm; Kane's and Lagrange's methods, and the power of the tension.
 TEST(muscles, act_along_every_pathway) {
   for (const bool with_arm : {false, true}) {
@@ -250,37 +210,6 @@ TEST(muscles, tendon_tends_to_a_rigid_one) {
   EXPECT_NEAR(difference(1e-4) / difference(1e-5), 10, 0.1);
 }
 
-// Along a closed cycle of lengths, a muscle without activation takes energy, whatever the cycle is.
-TEST(muscles, passive_muscles_create_no_energy) {
-  using enum muscle_formulation;
-  for (const muscle_formulation each : {rigid_tendon, tendon_force, fiber_length}) {
-    pulled b;
-    b.muscle("M", b.straight(b.o, b.p), b.e, some_muscle(each));
-    auto model = kanexpr::derive(b);
-    auto rates = model.function(model.get(quantity::rhs));
-    const auto length = [](double t) { return 0.38 + 0.02 * std::sin(t) + 0.01 * std::sin(3 * t + 1); };
-    const auto speed = [](double t) { return 0.02 * std::cos(t) + 0.03 * std::cos(3 * t + 1); };
-    VectorXd x(each == rigid_tendon ? 2 : 3);
-    if (each == tendon_force) x(2) = 0.2;
-    if (each == fiber_length) x(2) = 1.2;
-    double work = 0;
-    const int steps = 40000; // two cycles, of which the first approaches the periodic motion
-    const double h = 4 * std::acos(-1.0) / steps;
-    for (int k = 0; k < steps; ++k) {
-      const double t = (k + 0.5) * h;
-      x(0) = length(t), x(1) = speed(t);
-      const VectorXd f = rates(x, VectorXd(0), VectorXd::Constant(1, 0.0));
-      if (k >= steps / 2) work += -f(1) * speed(t) * h;
-      if (x.size() == 3) {
-        VectorXd middle = x;
-        middle(2) += h / 2 * f(2);
-        x(2) += h * rates(middle, VectorXd(0), VectorXd::Constant(1, 0.0))(2);
-      }
-    }
-    EXPECT_GT(work, 0.01); // J, taken from what moves the end
-  }
-}
-
 std::string mistake_of(void (*is_made)(pulled&)) {
   pulled b;
   b.used_elsewhere(b.e);
@@ -303,7 +232,7 @@ TEST(muscles, report_mistakes) {
               for (int i = 0; i < 2; ++i)
                 b.muscle("M", b.straight(b.o, b.p), b.e, some_muscle(muscle_formulation::tendon_force));
             }),
-            "the name F_M is used twice");
+            "two muscles are called M");
   EXPECT_EQ(mistake_of([](pulled& b) {
               b.lag("L", b.e, 0.1);
               b.speed("v");

@@ -29,6 +29,7 @@ using kanexpr::runtime::muscle_data;
 using kanexpr::runtime::muscle_states;
 using kanexpr::runtime::pathway;
 using kanexpr::runtime::point_id;
+using kanexpr::runtime::pulling_load;
 using kanexpr::symbolic::expression;
 using kanexpr::symbolic::matrix;
 
@@ -166,7 +167,7 @@ struct two_bodies : builder {
                            wrapping::counterclockwise);
   }
 
-  void act(int actuator, const pathway& along) {
+  pulling_load act(int actuator, const pathway& along) {
     const auto& g = given;
     switch (actuator) {
     case 0: return linear_spring(along, g.at("k"), g.at("rest"));

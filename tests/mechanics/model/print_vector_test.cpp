@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace {
 
 using namespace kanexpr::mechanics;
@@ -53,6 +55,27 @@ TEST_F(print_vector, keeps_digits_as_subscripts) {
             R"(u_1\,\hat{\mathbf{link}}_{3,x} - \frac{u_3}{\cos q_2}\,\hat{\mathbf{b}}_{12,y})");
   EXPECT_EQ(latex(system, v, basis_style::one_two_three),
             R"(u_1\,\hat{\mathbf{link}}_{3,1} - \frac{u_3}{\cos q_2}\,\hat{\mathbf{b}}_{12,2})");
+}
+
+TEST_F(print_vector, names_common_parts_of_a_long_text) {
+  const expression part = m * u1 * cos(q2) + r * u2 * sin(q2);
+  vector v;
+  v.add(l, {part, -part * u3, zero});
+  EXPECT_EQ(print(system, v, basis_style::xyz, 0), "z1*L.x - u3*z1*L.y\n"
+                                                   "where\n"
+                                                   "  z1 = m*u1*cos(q2) + r*u2*sin(q2)");
+  EXPECT_EQ(latex(system, v, basis_style::xyz, 0),
+            "\\begin{aligned}\n& z_1\\,\\hat{\\mathbf{l}}_{x} - u_3 z_1\\,\\hat{\\mathbf{l}}_{y} \\\\\n"
+            "& \\text{where} \\\\\nz_1 &= m u_1 \\cos q_2 + r u_2 \\sin q_2\n\\end{aligned}");
+  EXPECT_EQ(print(system, v).find("where"), std::string::npos);
+  matrix3 value(g);
+  value(0, 0) = value(1, 1) = part;
+  value(2, 2) = one;
+  dyadic d;
+  d.add(l, l, value);
+  EXPECT_EQ(print(system, d, basis_style::xyz, 0), "z1*(L.x|L.x) + z1*(L.y|L.y) + (L.z|L.z)\n"
+                                                   "where\n"
+                                                   "  z1 = m*u1*cos(q2) + r*u2*sin(q2)");
 }
 
 TEST_F(print_vector, may_vanish) {

@@ -149,6 +149,6 @@ void compare(unsigned first, unsigned last) {
   EXPECT_LT(singular, (last - first) / 10);
 }
 
-TEST(random_mechanism, obeys_newton_and_euler) { compare(0, 800); }
+TEST(random_mechanism, obeys_newton_and_euler) { compare(0, 400); }
 
 } // namespace

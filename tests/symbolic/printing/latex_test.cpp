@@ -127,4 +127,19 @@ TEST_F(latex_matrix, is_in_brackets) {
   EXPECT_EQ(latex(w), "\\begin{bmatrix}\n\\frac{a}{2} & \\sin q_1 \\\\\n0 & -b\n\\end{bmatrix}");
 }
 
+TEST_F(latex_matrix, names_parts_of_a_long_text) {
+  const expression part = a * cos(q1) + b * sin(q1 + q2), e = part * u1 + c / sin(part);
+  EXPECT_EQ(latex(e, 0), "\\begin{aligned}\n& \\frac{c}{\\sin z_1} + u_1 z_1 \\\\\n& \\text{where} \\\\\n"
+                         "z_1 &= a \\cos q_1 + b \\sin\\left(q_1 + q_2\\right)\n\\end{aligned}");
+  EXPECT_EQ(latex(e, latex(e).size()), latex(e));
+  const kanexpr::symbolic::text_with_parts each = latex_each({e, part, a}, 0);
+  EXPECT_EQ(each.expressions[1], "z_1");
+  EXPECT_EQ(each.parts.size(), 1U);
+  EXPECT_TRUE(latex_each({e, part, a}).parts.empty());
+  expression deep = a + b * q1;
+  for (int i = 0; i < 60; ++i) deep = sin(deep) * deep + u1 * deep / (1 + deep * deep);
+  EXPECT_LT(latex(deep).size(), 10000U);
+  EXPECT_NE(latex(deep).find("\nz_{59} &= "), std::string::npos);
+}
+
 } // namespace

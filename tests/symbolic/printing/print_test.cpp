@@ -1,9 +1,15 @@
 // builds: clang++ sanitize no-exceptions
 #include "symbolic/symbols.hpp"
 
+#include <kanexpr/symbolic/linear/solve.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/printing/short_text.hpp>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
 
 namespace {
 
@@ -15,6 +21,7 @@ using print_product = printed;
 using print_function = printed;
 using print_number = printed;
 using print_matrix = printed;
+using print_parts = printed;
 
 TEST_F(print_sum, is_flat) {
   EXPECT_EQ(print(a - b + 2 * c), "a - b + 2*c");
@@ -159,6 +166,86 @@ TEST_F(print_matrix, counts_the_letters_of_names_beyond_ascii) {
   w(1, 0) = a;
   EXPECT_EQ(print(w), "[θ, 0]\n"
                       "[a, 0]");
+}
+
+TEST_F(print_parts, have_names_in_a_long_text) {
+  const expression part = a * cos(q1) + b * sin(q1 + q2), e = part * u1 + c / part;
+  EXPECT_EQ(print(e), "c/(a*cos(q1) + b*sin(q1 + q2)) + u1*(a*cos(q1) + b*sin(q1 + q2))");
+  const std::size_t length = print(e).size();
+  EXPECT_EQ(print(e, length), print(e));
+  EXPECT_EQ(print(e, length - 1), "c/z1 + u1*z1\n"
+                                  "where\n"
+                                  "  z1 = a*cos(q1) + b*sin(q1 + q2)");
+  EXPECT_EQ(print(a + b, 0), "a + b");
+  matrix w(g, 2, 2);
+  w(0, 0) = e, w(0, 1) = part, w(1, 1) = sqrt(part * part + 1);
+  EXPECT_EQ("M = " + print(w, 0).substr(0, 30), print(w, "M = ", 0).substr(0, 34));
+  EXPECT_EQ(print(w, "M = ", 0), "M = [c/z1 + u1*z1, z1            ]\n"
+                                 "    [0,            sqrt(z1^2 + 1)]\n"
+                                 "where\n"
+                                 "  z1 = a*cos(q1) + b*sin(q1 + q2)");
+}
+
+TEST_F(print_parts, are_numbered_as_they_are_needed) {
+  const expression late = exp(a + b + c + m + r + x), early = cos(a - b - c - m - r - x);
+  const expression outer = late * late + early + late / early;
+  EXPECT_EQ(print(early * outer + late * outer, 0), "z1*z3 + z2*z3\n"
+                                                    "where\n"
+                                                    "  z1 = cos(a - b - c - m - r - x)\n"
+                                                    "  z2 = exp(a + b + c + m + r + x)\n"
+                                                    "  z3 = z1 + z2/z1 + z2^2");
+}
+
+TEST_F(print_parts, have_no_name_of_a_symbol) {
+  const expression taken = of(kind::input, "z_2"), part = a * cos(q1) + b * sin(q1 + taken);
+  EXPECT_EQ(print(part / (part + z), 0), "zz1/(z + zz1)\n"
+                                         "where\n"
+                                         "  zz1 = a*cos(q1) + b*sin(q1 + z_2)");
+}
+
+TEST_F(print_parts, are_matrices_and_solutions) {
+  matrix w(g, 4, 4);
+  kanexpr::base::sequence<expression> right;
+  for (int i = 0; i < 16; ++i) w.entries[i] = sin(i * a) + b;
+  for (int i = 0; i < 4; ++i) right.push(cos(i * c));
+  const expression factors = factorization(g, w);
+  const auto once = solve(factors, right), twice = solve_transposed(factors, once);
+  EXPECT_EQ(print(once[0] + once[1] + twice[2], 0),
+            "z2[1] + z2[2] + solve(transpose(z1), [z2[1], z2[2], z2[3], z2[4]])[3]\n"
+            "where\n"
+            "  z1 = [[b, b + sin(a), b + sin(2*a), b + sin(3*a)], "
+            "[b + sin(4*a), b + sin(5*a), b + sin(6*a), b + sin(7*a)], "
+            "[b + sin(8*a), b + sin(9*a), b + sin(10*a), b + sin(11*a)], "
+            "[b + sin(12*a), b + sin(13*a), b + sin(14*a), b + sin(15*a)]]\n"
+            "  z2 = solve(z1, [1, cos(c), cos(2*c), cos(3*c)])");
+}
+
+TEST_F(print_parts, keep_deep_sharing_short) {
+  expression e = a + b * q1;
+  for (int i = 0; i < 60; ++i) e = sin(e) * e + u1 * e / (1 + e * e); // 5^60 symbols if written in full
+  const std::string text = print(e);
+  EXPECT_LT(text.size(), 5000U);
+  EXPECT_NE(text.find("\n  z59 = u1*z58/(z58^2 + 1) + sin(z58)*z58"), std::string::npos) << text;
+  EXPECT_EQ(print(e, 1000), print(e, 0));
+  EXPECT_LT(print_in_sentence(e).size(), 64U);
+  EXPECT_EQ(print_in_sentence(a / b), "a/b");
+  expression product = a + b;
+  for (int i = 0; i < 60; ++i) product = (product + i) * product * cos(product);
+  EXPECT_LT(short_text(g, product.node()).view().size(), 64U);
+}
+
+TEST_F(print_parts, limit_the_length_of_lines_and_the_depth) {
+  expression sum = a, nested = a;
+  for (int i = 0; i < 400; ++i) sum = sum + cos(i * q1);
+  for (int i = 0; i < 5000; ++i) nested = sin(nested + b);
+  for (const std::string& text : {print(sum, 0), print(nested)}) {
+    std::size_t longest = 0, start = 0;
+    for (std::size_t end = 0; end != std::string::npos; start = end + 1) {
+      end = text.find('\n', start);
+      longest = (std::max)(longest, (end == std::string::npos ? text.size() : end) - start);
+    }
+    EXPECT_LT(longest, 500U);
+  }
 }
 
 } // namespace

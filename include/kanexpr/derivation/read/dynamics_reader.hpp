@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/describe/symbol.hpp>
@@ -60,6 +61,10 @@ public:
       for (const phrase& p : equations)
         if (!reading_.mistake) read(p, from);
     });
+    for (const describe::block_record& r : reading_.from.blocks)
+      read_positive(r.positive, sentence({"block ", r.called}));
+    for (const describe::load_record& r : reading_.from.loads)
+      if (r.positive.size != 0) read_positive(r.positive, name_of(r));
   }
 
   /// Reads the equations that depend on motion; returns whether there are any. Requires that
@@ -85,6 +90,19 @@ private:
     if (!moves(p)) return evaluate(p, from);
     phrases_.check_misuse(p, from.whom());
     mention(p, from.whom());
+  }
+
+  /// Reads arguments that must be positive, after the dynamics, in which all of them appear.
+  constexpr void read_positive(const describe::listing<describe::positive_argument>& all,
+                               const sentence& whose) {
+    for (const describe::positive_argument& each : all) {
+      if (reading_.mistake) return;
+      if (moves(each.value)) continue;
+      const expression value = phrases_.scalar_of(each.value, {each.of, whose.view()}, whose.view());
+      base::name of = each.of;
+      of.append(whose.view());
+      if (!reading_.mistake) reading_.into.loads.positive_constants.push({value, of});
+    }
   }
 
   constexpr bool moves(const phrase& p) const {

@@ -5,6 +5,7 @@
 #include <kanexpr/derivation/read/phrase_reader.hpp>
 #include <kanexpr/describe/frame.hpp>
 #include <kanexpr/describe/pathway.hpp>
+#include <kanexpr/describe/wheel_record.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -34,6 +35,7 @@ public:
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
       if (tokens[i].load != nullptr && tokens[i].load->path != nullptr) visit(*tokens[i].load->path, whom);
+      if (tokens[i].load != nullptr && tokens[i].load->wheel != nullptr) visit(*tokens[i].load->wheel, whom);
     }
     reading_.known = known;
   }
@@ -45,6 +47,17 @@ public:
     if (r.center != nullptr && !reading_.mistake) point(r.center, whom);
     if (r.frame != nullptr && !reading_.mistake) frame(r.frame, whom);
     for (const phrase* each : {&r.length, &r.axis, &r.size})
+      if (!reading_.mistake) visit(each->tokens, each->size, whom);
+  }
+
+  /// Reads the entities that a wheel and its ground mention.
+  constexpr void visit(const describe::wheel_record& r, std::string_view whom) {
+    if (!r.mistake.empty()) return;
+    for (const point_record* each : {r.center, r.place})
+      if (!reading_.mistake) point(each, whom);
+    for (const frame_record* each : {r.frame, r.ground_frame})
+      if (each != nullptr && !reading_.mistake) frame(each, whom);
+    for (const phrase* each : describe::phrases_of(r))
       if (!reading_.mistake) visit(each->tokens, each->size, whom);
   }
 
@@ -245,6 +258,8 @@ private:
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (!check_kind("point"sv, r, whom)) return;
+    if (r.of_joint != nullptr && !is_listed(*r.of_joint))
+      return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam, r.is_at_whole_zero))
       return;
     if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;
@@ -343,10 +358,18 @@ protected:
   constexpr void mention_symbols(const describe::path_record& r, std::string_view whom) {
     for (const phrase* each : {&r.length, &r.axis, &r.size}) mention_symbols(*each, whom);
   }
+  constexpr void mention_symbols(const describe::wheel_record& r, std::string_view whom) {
+    for (const phrase* each : describe::phrases_of(r)) {
+      reading_.is_on_surface = each == &r.height;
+      mention_symbols(*each, whom);
+    }
+    reading_.is_on_surface = false;
+  }
   constexpr void mention_symbols(const phrase& p, std::string_view whom) {
     for (const describe::token& t : p) {
       if (t.symbol != nullptr && !reading_.mistake) symbols_.symbol(*t.symbol, whom);
       if (t.load != nullptr && t.load->path != nullptr) mention_symbols(*t.load->path, whom);
+      if (t.load != nullptr && t.load->wheel != nullptr) mention_symbols(*t.load->wheel, whom);
     }
   }
 

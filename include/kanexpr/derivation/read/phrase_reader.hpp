@@ -122,7 +122,7 @@ public:
     if (t.what == token_kind::velocity)
       return t.point->reference == reading_.from.inertial && !t.point->from_parent;
     if (t.what == token_kind::angular_velocity) return t.frame->reference == reading_.from.inertial;
-    if (t.what == token_kind::of_load) return is_length(t);
+    if (t.what == token_kind::of_load) return is_of_position(t);
     return t.what != token_kind::acceleration && t.what != token_kind::angular_acceleration &&
            t.what != token_kind::derivative;
   }
@@ -339,17 +339,18 @@ private:
     }
   }
 
-  static constexpr bool is_length(const describe::token& t) {
-    return t.index == static_cast<int>(describe::load_quantity::length);
+  static constexpr bool is_of_position(const describe::token& t) {
+    return describe::is_of_position(static_cast<describe::load_quantity>(t.index));
   }
 
   constexpr void quantity_of_load(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     reading_.hides_units = true;
     if (is_displaced_)
-      return reading_.fail({reading_.part, whom,
-                            " uses length_of, which systems with reactions<...> do not support in "
-                            "constraints; write magnitude(position_of<P, Q>)"});
-    if (!is_length(t) && reading_.known == nullptr && !reading_.for_units)
+      return reading_.fail({reading_.part, whom, " uses ",
+                            t.load->wheel != nullptr ? "penetration_of" : "length_of",
+                            ", which systems with reactions<...> do not support in constraints",
+                            t.load->wheel != nullptr ? "" : "; write magnitude(position_of<P, Q>)"});
+    if (!is_of_position(t) && reading_.known == nullptr && !reading_.for_units)
       return reading_.fail({reading_.part, whom,
                             " contains the force of a load, which is not yet known while the model is read"});
     const value found = loads_.quantity(*loads_.with, t, whom);

@@ -208,9 +208,8 @@ private:
     const auto what = static_cast<describe::load_quantity>(t.index);
     const describe::path_record* const path = t.load->path;
     const bool is_given = path != nullptr && !path->ends_at_points(),
-               is_length =
-                   what == describe::load_quantity::length || what == describe::load_quantity::contact_place;
-    if (!is_given) return push(known_unit(is_length ? meter : units::si::newton), is_vector(what));
+               is_length = what == describe::load_quantity::length;
+    if (!is_given) return push(known_unit(describe::unit_of(what)), is_vector(what));
     if (!is_length) return push(relations_.add_unknown());
     for (int i = 0; i < path->length.size; ++i) step(path->length, i);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/derivation/read/listed_by.hpp>
+#include <kanexpr/derivation/read/claimed_names.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
 #include <kanexpr/derivation/read/symbol_uses.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
@@ -34,19 +34,19 @@ public:
     int claimed;
   };
   constexpr count symbols_known() const {
-    return {m_.parameters.size(), m_.inputs.size(), m_.prescribed_rates.size(), claimed_.size()};
+    return {m_.parameters.size(), m_.inputs.size(), m_.prescribed_rates.size(), names_.size()};
   }
   constexpr void forget_all_but(const count& known) {
     while (m_.parameters.size() > known.parameters) m_.parameters.pop();
     while (m_.inputs.size() > known.inputs) m_.inputs.pop();
     while (m_.prescribed_rates.size() > known.prescribed_rates) m_.prescribed_rates.pop();
-    while (claimed_.size() > known.claimed) claimed_.pop();
+    names_.forget_all_but(known.claimed);
   }
 
   /// The known symbols, if there is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.bound_, self.bound_values_, self.bound_is_used_, self.claimed_, self.is_time_claimed_);
+    visit(self.bound_, self.bound_values_, self.bound_is_used_, self.names_, self.is_time_claimed_);
   }
 
   /// Adds a parameter that the model itself does not mention, after all others.
@@ -120,7 +120,7 @@ public:
 
   /// Claims the name of a symbol, which must be valid.
   constexpr void claim(const symbol_record& r, symbol_list list) {
-    if (r.is_named) return claim_name(r.called, list, mark_of(r));
+    if (r.is_named) return names_.claim(r.called, list, mark_of(r));
     std::string_view called = r.given == 0 ? "" : r.called.view();
     if (r.given < r.called.length && r.called.length == base::name::capacity)
       return reading_.fail(
@@ -131,23 +131,7 @@ public:
   }
 
   /// Claims a name, which must have only one meaning in a system.
-  constexpr void claim_name(const base::name& called, symbol_list list, int mark = 0) {
-    for (const claimed& other : claimed_)
-      if (other.called == called) {
-        if (other.list == list && other.mark != mark)
-          reading_.fail({"two of the ", derivation::called(list), " are called ", called.view()});
-        else if (other.list == list)
-          reading_.fail({called.view(), " is listed twice among the ", derivation::called(list),
-                         listed_by(reading_.from, called).ending()});
-        else if (other.list == symbol_list::values)
-          reading_.fail(
-              {"parameter ", called.view(), " is bound to a value, but is also in the list of parameters"});
-        else
-          reading_.fail({"the name ", called.view(), " is used twice: among the ",
-                         derivation::called(other.list), " and among the ", derivation::called(list)});
-      }
-    claimed_.push({called, list, mark});
-  }
+  constexpr void claim_name(const base::name& called, symbol_list list) { names_.claim(called, list); }
 
   /// Binds a parameter to a number. If the model is read for its units, the parameter stays a symbol.
   constexpr void bind(const symbol_record& r, expression number) {
@@ -375,13 +359,6 @@ private:
     return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
   }
 
-  /// A name in use.
-  struct claimed {
-    base::name called{};
-    symbol_list list{};
-    int mark = 0; ///< identifies the symbol with that name
-  };
-
   /// Distinguishes symbols of the same kind and name: `parameter<"k", 1>` and `parameter<"k1">`, or an input
   /// and a prescribed quantity.
   static constexpr int mark_of(const symbol_record& r) {
@@ -392,10 +369,7 @@ private:
 
   /// Checks that a symbol found by its name is the one that claimed the name.
   constexpr void is_the_same(const symbol_record& r, std::string_view kind) {
-    const int mark = mark_of(r);
-    for (const claimed& c : claimed_)
-      if (c.mark != mark && c.called.length == r.called.length && c.called == r.called)
-        reading_.fail({"two ", kind, "s are called ", r.called.view()});
+    names_.check_mark(r.called, mark_of(r), kind);
   }
 
   constexpr void claim_time() {
@@ -408,7 +382,7 @@ private:
   sequence<base::name> bound_{};
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
-  sequence<claimed> claimed_{};
+  claimed_names names_{reading_};
   symbol_uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< unused after a model has been read
   bool is_time_claimed_ = false;
 };

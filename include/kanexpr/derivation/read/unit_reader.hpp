@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/load_table.hpp>
 #include <kanexpr/derivation/read/phrase_units.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -81,34 +82,11 @@ private:
   }
 
   constexpr void read(const load_record& r) {
-    using describe::load_word;
     if (r.rotor != nullptr) return units_.fail(); // read by another reader
     if (r.coefficient != nullptr) units_.expect(r.coefficient->value, r.coefficient->unit);
-    switch (r.what) {
-    case load_word::force: return units_.expect(r.value, newton);
-    case load_word::torque: return units_.expect(r.value, joule);
-    case load_word::gravity: return units_.expect(r.value, newton / kilogram);
-    case load_word::potential_energy: return units_.expect(r.value, joule);
-    case load_word::spring: units_.expect(r.value, newton / meter); return units_.expect(r.rest, meter);
-    case load_word::torsional_spring: {
-      const unit_product angle = units_.unit_of(r.angle);
-      units_.equate(angle, units_.unit_of(r.rest));
-      return units_.expect_energy(units_.unit_of(r.value), angle);
-    }
-    case load_word::damper: return units_.expect(r.value, newton * second / meter);
-    case load_word::torsional_damper: return units_.expect(r.value, joule * second);
-    case load_word::path_force:
-    case load_word::path_spring:
-    case load_word::path_cubic_spring:
-    case load_word::path_damper:
-    case load_word::path_stop:
-    case load_word::bushing:
-    case load_word::friction:
-    case load_word::contact:
-    case load_word::muscle:
-    case load_word::tyre: return units_.fail(); // their laws are read by other readers
-    case load_word::none: return;
-    }
+    if (r.what == load_word::none) return;
+    if (row_of(r).expect_units == nullptr) return units_.fail();
+    row_of(r).expect_units(r, units_);
   }
 
   /// Reads the equations for the rates of state variables.

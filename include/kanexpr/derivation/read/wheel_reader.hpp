@@ -1,6 +1,7 @@
 #pragma once
 
-#include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/direction_reader.hpp>
+#include <kanexpr/derivation/read/load_parts.hpp>
 #include <kanexpr/describe/wheel_record.hpp>
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
@@ -13,12 +14,11 @@
 namespace kanexpr::derivation {
 
 /// Reads wheels and the ground below them.
-class wheel_reader : part_reader {
+class wheel_reader : load_parts {
 public:
-  using part_reader::part_reader;
+  constexpr explicit wheel_reader(const load_parts& by) : load_parts(by) {}
 
-  /// `whom` names the load, as in "the tyre between Front and O".
-  constexpr mechanics::wheel_on_ground read(const describe::wheel_record& r, std::string_view whom) {
+  constexpr mechanics::wheel_on_ground read(const describe::wheel_record& r) {
     mechanics::wheel_on_ground w;
     if (!r.mistake.empty()) {
       reading_.fail({whom, " ", r.mistake});
@@ -28,50 +28,38 @@ public:
     w.point = entities_.point(r.center, whom);
     w.against = entities_.point(r.place, whom);
     w.frame = entities_.frame(r.frame, whom);
-    w.axis = direction(r.axis, "the axis of ", whom, w.axis_frame);
-    w.radius = scalar(r.radius, "the radius of ", whom);
-    w.tube = scalar(r.tube, "the radius of the tube of ", whom);
-    w.conicity = scalar(r.conicity, "the conicity of ", whom);
-    w.head = scalar(r.head, "the radius of the head of the rail of ", whom);
-    read_ground(w, r, whom);
+    w.axis = read_direction(*this, r.axis, "the axis of ", w.axis_frame);
+    w.radius = given(r.radius, "the radius of ");
+    w.tube = given(r.tube, "the radius of the tube of ");
+    w.conicity = given(r.conicity, "the conicity of ");
+    w.head = given(r.head, "the radius of the head of the rail of ");
+    read_ground(w, r);
     return w;
   }
 
 private:
-  constexpr expression scalar(const phrase& p, std::string_view what, std::string_view whom) {
-    return p.tokens == nullptr ? expression{} : phrases_.scalar_of(p, {what, whom}, whom);
+  constexpr expression given(const phrase& p, std::string_view what) {
+    return p.tokens == nullptr ? expression{} : scalar(p, what);
   }
 
-  constexpr void read_ground(mechanics::wheel_on_ground& w, const describe::wheel_record& r,
-                             std::string_view whom) {
+  constexpr void read_ground(mechanics::wheel_on_ground& w, const describe::wheel_record& r) {
     using enum mechanics::ground_shape;
     if (r.ground == uneven) {
       w.other = entities_.frame(r.ground_frame, whom);
       reading_.is_on_surface = true;
-      w.height = scalar(r.height, "the height of the ground of ", whom);
+      w.height = given(r.height, "the height of the ground of ");
       reading_.is_on_surface = false;
       return;
     }
-    w.normal =
-        direction(r.normal, r.ground == rail ? "the direction up of " : "the normal of ", whom, w.other);
+    w.normal = read_direction(*this, r.normal, r.ground == rail ? "the direction up of " : "the normal of ",
+                              w.other);
     if (r.ground != rail) return;
     int frame = none;
-    w.along = direction(r.along, "the direction of the rail of ", whom, frame);
+    w.along = read_direction(*this, r.along, "the direction of the rail of ", frame);
     if (frame != w.other)
       reading_.fail({"the rail of ", whom,
                      " has directions in the axes of two frames; write both in the axes "
                      "of one"});
-  }
-
-  /// Reads a vector in the axes of one frame, and its unit vector.
-  constexpr mechanics::components direction(const phrase& p, std::string_view what, std::string_view whom,
-                                            int& frame) {
-    const mechanics::vector v = phrases_.vector_of(p, {what, whom}, whom);
-    if (reading_.mistake) return mechanics::components(*m_.g);
-    const mechanics::contact_direction d = mechanics::contact_direction_of(m_, v);
-    if (!d.mistake.empty()) reading_.fail({what, whom, d.mistake});
-    frame = d.frame;
-    return d.unit;
   }
 };
 

@@ -148,6 +148,15 @@ private:
     to.write(token_kind::divide);
   }
 
+  /// Writes c q_k q_l.
+  static constexpr void write_product(token_writer& to, double c, int k, int l) {
+    to.write_number(c);
+    to.write(amplitude(k));
+    to.write(token_kind::multiply);
+    to.write(amplitude(l));
+    to.write(token_kind::multiply);
+  }
+
   /// Writes Σ c_kl q_k q_l over the amplitudes of two deformations; returns false and writes nothing if it
   /// vanishes.
   template <class Number>
@@ -156,11 +165,7 @@ private:
     for (int k = 0; k < shapes; ++k)
       for (int l = 0; l < shapes; ++l) {
         if (deforms(k) != one || deforms(l) != other || is_zero(c(k, l))) continue;
-        to.write_number(c(k, l));
-        to.write(amplitude(k));
-        to.write(token_kind::multiply);
-        to.write(amplitude(l));
-        to.write(token_kind::multiply);
+        write_product(to, c(k, l), k, l);
         sum.add_term();
       }
     return !sum.is_empty();
@@ -187,11 +192,7 @@ private:
       for (int l = 0; l <= k; ++l) {
         const double g = (k == l ? 0.5 : 1.0) * values.shortening(k, l);
         if (is_zero(g)) continue;
-        to.write_number(g);
-        to.write(amplitude(k));
-        to.write(token_kind::multiply);
-        to.write(amplitude(l));
-        to.write(token_kind::multiply);
+        write_product(to, g, k, l);
         sum.add_term();
       }
     return !sum.is_empty();

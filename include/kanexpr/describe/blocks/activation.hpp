@@ -36,13 +36,16 @@ template <class Self, auto... excitation_and_times>
 struct muscle_activation : describe::block_words {
   static constexpr describe::state_variable_of<"a", Self> output{};
 
-  static constexpr describe::block_record
-      block = describe::states_of_block<Self, output>::template with < dot(output) ==
-              describe::activation_rate(output, describe::argument_or_zero<0, excitation_and_times...>(),
-                                        describe::argument_or_zero<1, excitation_and_times...>(),
-                                        describe::argument_or_zero<2, excitation_and_times...>()) >
-                  (describe::arguments_of("muscle_activation<Self, excitation, Ta, Td>",
-                                          sizeof...(excitation_and_times), 3));
+  static constexpr auto rise = describe::argument_or_zero<1, excitation_and_times...>();
+  static constexpr auto fall = describe::argument_or_zero<2, excitation_and_times...>();
+  static constexpr describe::block_record block =
+      describe::requiring<describe::positive_of<"the time of activation of ", rise>,
+                          describe::positive_of<"the time of deactivation of ", fall>>(
+          describe::states_of_block<Self, output>::template with < dot(output) ==
+          describe::activation_rate(output, describe::argument_or_zero<0, excitation_and_times...>(), rise,
+                                    fall) >
+              (describe::arguments_of("muscle_activation<Self, excitation, Ta, Td>",
+                                      sizeof...(excitation_and_times), 3)));
 };
 
 } // namespace kanexpr

@@ -34,6 +34,17 @@ struct states_of_block {
   }
 };
 
+/// An argument that must be positive, with its name: `positive_of<"the rate of ", rate>`.
+template <text name, auto value>
+inline constexpr positive_argument positive_of{phrase_of<value>, name.view()};
+
+/// The record of a block with arguments that must be positive.
+template <const positive_argument&... all>
+constexpr block_record requiring(block_record r) {
+  r.positive = list_of<positive_argument, &all...>::all;
+  return r;
+}
+
 /// The argument with the given index, or 0 if it was omitted; the record reports that.
 template <std::size_t index, auto... given>
 constexpr auto argument_or_zero() {

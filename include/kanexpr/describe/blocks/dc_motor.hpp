@@ -91,13 +91,21 @@ struct dc_motor_law {
       r.rotor = given_phrases<inertia, gear>;
     }
   }
+  template <std::size_t index, text name>
+  static constexpr const positive_argument* positive = &positive_of<name, argument<index>>;
+
   static constexpr void add_states(load_record& r) {
     if constexpr (is_heated) {
       r.states = list_of<phrase, &phrase_of<i>, &phrase_of<heat>>::all;
       r.dynamics = list_of<phrase, &phrase_of<electrical>, &phrase_of<thermal>>::all;
+      r.positive =
+          list_of<positive_argument, positive<1, "the resistance of ">, positive<2, "the inductance of ">,
+                  positive<8, "the heat capacity of ">, positive<9, "the thermal resistance of ">>::all;
     } else {
       r.states = list_of<phrase, &phrase_of<i>>::all;
       r.dynamics = list_of<phrase, &phrase_of<electrical>>::all;
+      r.positive = list_of<positive_argument, positive<1, "the resistance of ">,
+                           positive<2, "the inductance of ">>::all;
     }
   }
 };

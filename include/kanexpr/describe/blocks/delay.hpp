@@ -46,7 +46,8 @@ struct legendre_delay {
 
   static constexpr block_record record(const arguments& fits) {
     return [&]<int... i>(std::integer_sequence<int, i...>) {
-      return states_of_block<Self, m<i>...>::template with<equation<i>...>(fits);
+      return requiring<positive_of<"the time of ", time>>(
+          states_of_block<Self, m<i>...>::template with<equation<i>...>(fits));
     }(std::make_integer_sequence<int, order>());
   }
 };

@@ -10,11 +10,12 @@ template <class Self, auto... input_and_time>
 struct lag : describe::block_words {
   static constexpr describe::state_variable_of<"y", Self> output{};
 
-  static constexpr describe::block_record
-      block = describe::states_of_block<Self, output>::template with <
-                  describe::argument_or_zero<1, input_and_time...>() * dot(output) ==
-              describe::argument_or_zero<0, input_and_time...>() - output >
-                  (describe::arguments_of("lag<Self, input, time>", sizeof...(input_and_time), 2));
+  static constexpr auto time = describe::argument_or_zero<1, input_and_time...>();
+  static constexpr describe::block_record block =
+      describe::requiring<describe::positive_of<"the time constant of ", time>>(
+          describe::states_of_block<Self, output>::template with < time * dot(output) ==
+          describe::argument_or_zero<0, input_and_time...>() - output >
+              (describe::arguments_of("lag<Self, input, time>", sizeof...(input_and_time), 2)));
 };
 
 namespace describe {
@@ -34,12 +35,13 @@ template <class Self, auto... input_rate_and_time>
 struct slew_limit : describe::block_words {
   static constexpr describe::state_variable_of<"y", Self> output{};
 
-  static constexpr describe::block_record block =
+  static constexpr auto rate = describe::argument_or_zero<1, input_rate_and_time...>();
+  static constexpr auto time = describe::argument_or_zero<2, input_rate_and_time...>();
+  static constexpr describe::block_record block = describe::requiring<
+      describe::positive_of<"the rate of ", rate>, describe::positive_of<"the time constant of ", time>>(
       describe::states_of_block<Self, output>::template with < dot(output) ==
-      describe::limited_rate(describe::argument_or_zero<0, input_rate_and_time...>(), output,
-                             describe::argument_or_zero<1, input_rate_and_time...>(),
-                             describe::argument_or_zero<2, input_rate_and_time...>()) >
-          (describe::arguments_of("slew_limit<Self, input, rate, time>", sizeof...(input_rate_and_time), 3));
+      describe::limited_rate(describe::argument_or_zero<0, input_rate_and_time...>(), output, rate, time) >
+          (describe::arguments_of("slew_limit<Self, input, rate, time>", sizeof...(input_rate_and_time), 3)));
 };
 
 } // namespace kanexpr

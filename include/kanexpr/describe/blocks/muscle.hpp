@@ -24,7 +24,7 @@ constexpr phrase phrase_if_given() {
   if constexpr (requires { value == mechanics::parameter_not_given{}; })
     return phrase{};
   else
-    return phrase_of<with_zeros(value)>;
+    return phrase_of<value>;
 }
 
 /// The phrases, the state variables and the dynamics of a muscle.
@@ -34,9 +34,9 @@ struct muscle_law {
   static constexpr state_variable_of<"F", Self> tendon_force{};
   static constexpr state_variable_of<"l", Self> fiber_length{};
 
-  static constexpr auto dynamics =
-      dot(activation) == activation_rate(activation, excitation, whole_argument(parameters.activation_time),
-                                         whole_argument(parameters.deactivation_time));
+  static constexpr auto rise = whole_argument(parameters.activation_time);
+  static constexpr auto fall = whole_argument(parameters.deactivation_time);
+  static constexpr auto dynamics = dot(activation) == activation_rate(activation, excitation, rise, fall);
 
   static constexpr phrase terms[]{phrase_if_given<parameters.peak_isometric_force>(),
                                   phrase_if_given<parameters.optimal_fiber_length>(),
@@ -59,7 +59,11 @@ struct muscle_law {
     r.terms_given = static_cast<int>(sizeof(terms) / sizeof(phrase));
     constexpr bool is_delayed = parameters.has_activation_dynamics;
     r.value = is_delayed ? phrase_of<activation> : phrase_of<excitation>;
-    if (is_delayed) r.dynamics = list_of<phrase, &phrase_of<dynamics>>::all;
+    if (is_delayed) {
+      r.dynamics = list_of<phrase, &phrase_of<dynamics>>::all;
+      r.positive = list_of<positive_argument, &positive_of<"the time of activation of ", rise>,
+                           &positive_of<"the time of deactivation of ", fall>>::all;
+    }
     r.states = states<is_delayed>();
   }
 

@@ -78,12 +78,23 @@ struct pid_law {
     return arguments_of("pid<Self, deviation, kp, ki, kd, Td, least, greatest, Tt>", size, 8);
   }
   static constexpr auto integration = dot(integral_part) == integral_rate();
+  template <const positive_argument&... others>
+  static constexpr block_record limited(const block_record& r) {
+    if constexpr (is_limited)
+      return requiring<
+          positive_of<"the time constant of the integral part of ", argument<least + 2>>,
+          positive_of<"the distance between the limits of ", argument<least + 1> - argument<least>>,
+          others...>(r);
+    else
+      return requiring<others...>(r);
+  }
   static constexpr block_record record() {
     if constexpr (has_derivative)
-      return states_of_block<Self, integral_part, filtered>::template with < integration,
-             argument<4> * dot(filtered) == deviation - filtered > (fits());
+      return limited<positive_of<"the time constant of the filter of ", argument<4>>>(
+          states_of_block<Self, integral_part, filtered>::template with < integration,
+          argument<4> * dot(filtered) == deviation - filtered > (fits()));
     else
-      return states_of_block<Self, integral_part>::template with<integration>(fits());
+      return limited<>(states_of_block<Self, integral_part>::template with<integration>(fits()));
   }
 };
 

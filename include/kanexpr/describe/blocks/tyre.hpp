@@ -53,6 +53,7 @@ struct tyre : describe::load_words {
     describe::load_record r;
     r.what = describe::load_word::tyre;
     r.word = "the tyre";
+    r.once = true;
     r.fits = t.fits;
     r.point = t.wheel->center;
     r.other_point = t.wheel->place;

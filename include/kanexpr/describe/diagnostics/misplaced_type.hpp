@@ -12,6 +12,9 @@ inline constexpr std::string_view joint_out_of_place = "a joint; list it in join
 /// A beam in place of a frame or a point.
 inline constexpr std::string_view a_beam = "a beam; name a place on it by section<Self, Beam, place>"sv;
 
+/// A point in place of something else.
+inline constexpr std::string_view point_out_of_place = "a point; points need not be listed"sv;
+
 /// Describes a type for a message about a misplaced type; empty if the type is not a word of a model.
 template <class Type>
 constexpr std::string_view describe_kind() {
@@ -22,7 +25,7 @@ constexpr std::string_view describe_kind() {
   else if constexpr (requires { Type::orientation(); })
     return "a frame; frames need not be listed"sv;
   else if constexpr (requires { Type::place(); })
-    return "a point; points need not be listed"sv;
+    return point_out_of_place;
   else if constexpr (requires { Type::load.what; })
     return "a load; list it in loads<...>"sv;
   else if constexpr (requires { Type::block.dynamics; })
@@ -35,6 +38,11 @@ constexpr std::string_view describe_kind() {
     return "a law of friction; list friction<joint or path, normal force, law>"sv;
   else if constexpr (requires { Type::contact_word; } || requires { &Type::lay_out; })
     return "an argument of contact<...>"sv;
+  else if constexpr (requires { Type::joint_word; })
+    return "an argument of a joint, such as pin<...>"sv;
+  else if constexpr (
+      requires { Type::tyre_word; } || requires { typename Type::center; } || requires { &Type::lie_under; })
+    return "an argument of tyre<...>"sv;
   else
     return {};
 }

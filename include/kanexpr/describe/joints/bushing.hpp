@@ -26,7 +26,11 @@ struct bushing : describe::load_words {
     r.point = describe::parts_of<Body>::point();
     r.other_frame = describe::parts_of<Base>::frame();
     r.other_point = describe::parts_of<Base>::point();
-    r.terms = describe::given_phrases_with_zeros<stiffnesses_and_dampings...>;
+    constexpr bool is_all_zero = (describe::is_whole_zero(stiffnesses_and_dampings) && ...);
+    if constexpr (is_all_zero)
+      r.terms = describe::given_phrases<stiffnesses_and_dampings...>;
+    else
+      r.terms = describe::given_phrases_with_zeros<stiffnesses_and_dampings...>;
     r.terms_given = given;
     return r;
   }();

@@ -14,6 +14,9 @@ namespace describe {
 template <class Load, class Joint, auto normal>
 constexpr load_record friction_along_axis() {
   load_record r = load_along_axis<Load, Joint, 1>("the friction");
+  if constexpr (effort_of_joint<Joint>() == joint_effort::none)
+    r.instead =
+        "for a pathway, such as straight<P, Q>, or a joint that turns about one axis or slides along one";
   if constexpr (effort_of_joint<Joint>() != joint_effort::none) {
     r.what = load_word::friction;
     r.value = phrase_of<Joint::template axis_of_child<0>, Joint>;

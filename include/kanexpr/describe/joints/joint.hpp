@@ -217,6 +217,7 @@ struct joint : axes<Self>, place_words, joint_words {
       r = joint_point_record();
     }
     r.declared_name = type_name<Self>();
+    r.of_joint = child_frame();
     return r;
   }
 

@@ -3,6 +3,7 @@
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/body.hpp>
 #include <kanexpr/describe/letters_of_name.hpp>
+#include <kanexpr/describe/operand.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
 #include <cstddef>
@@ -45,15 +46,6 @@ inline constexpr auto joint_name = [] {
 /// A special word belongs to particular kinds of joints, whose member type `special` equals that of the word.
 /// `twice` and `misplaced` are the mistakes if the word is repeated or used in a different joint.
 enum class joint_word : unsigned char { at, home, axis, by, body, stops, rotor, special };
-
-/// Returns the expression with the given index.
-template <std::size_t wanted, auto first, auto... rest>
-constexpr auto one_of() {
-  if constexpr (wanted == 0)
-    return first;
-  else
-    return one_of<wanted - 1, rest...>();
-}
 
 /// Returns the expression with `own` replaced by the axes of a frame.
 template <class Expression>

@@ -11,6 +11,7 @@
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/sizes/definite_sign.hpp>
 
 #include <string_view>
 
@@ -114,20 +115,31 @@ constexpr sentence constraint_called(const constraints& c, int i) {
   return sentence({"velocity constraint ", base::counted(i + 1).view()});
 }
 
-/// Reports constraints such as u² = 0, whose derivatives with respect to the speeds vanish where they hold.
+/// Reports nonlinear constraints that fix no motion: u² = 0, whose derivatives with respect to the speeds
+/// vanish where it holds, u v = 1 with u² + v² = 2, whose derivatives depend on each other there, and u² =
+/// −1, which holds nowhere.
 constexpr sentence check_slopes(const skeleton& s, const constraints& c,
                                 const symbolic::matrix& configuration) {
   if (c.nonlinear == 0) return {};
+  const std::string_view speeds = s.model->derived_by == method::kane ? "speeds" : "rates of the coordinates";
+  for (int i = 0; i < c.size(); ++i)
+    if (symbolic::has_definite_sign(c.on_velocities[i].value))
+      return sentence({constraint_called(c, i).view(), " holds for no ", speeds});
   consistent_states states(s, configuration, configuration.rows, c, c.size(), {});
-  int vanished = none;
+  sentence found;
   for (int attempts = 0; attempts < 4; ++attempts) {
     states.next();
-    vanished = states.row_that_vanished();
-    if (vanished == none) return {};
+    if (const int i = states.row_that_vanished(); i != none)
+      found = sentence({"the derivatives of ", constraint_called(c, i).view(), " with respect to the ",
+                        speeds, " vanish wherever it holds"});
+    else if (const int j = states.row_that_became_dependent(); j != none)
+      found = sentence({"wherever the constraints on the velocities hold, the derivatives of ",
+                        constraint_called(c, j).view(), " with respect to the ", speeds,
+                        " are a combination of those of the preceding ones"});
+    else
+      return {};
   }
-  return sentence({"the derivatives of ", constraint_called(c, vanished).view(), " with respect to the ",
-                   s.model->derived_by == method::kane ? "speeds" : "rates of the coordinates",
-                   " vanish wherever it holds"});
+  return found;
 }
 
 constexpr sentence check_configuration(const skeleton& s, const constraints& c,

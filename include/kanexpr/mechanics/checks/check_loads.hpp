@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_repeated_loads.hpp>
 #include <kanexpr/mechanics/checks/check_weights.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
@@ -79,12 +80,22 @@ private:
 
 } // namespace detail
 
+/// The values of the loads that must be positive or not negative, whatever their numbers are.
+constexpr sequence<bounded_value> bounded_values(const mechanism& m, const loads& acting) {
+  sequence<bounded_value> found;
+  load_check by(m, found);
+  acting.each([&](const auto& load, int place) { load.check_with(by, place); });
+  for (const positive_constant& each : acting.positive_constants) each.check_with(by);
+  return found;
+}
+
 /// Returns a message that describes the first mistake in the loads; empty if there is none.
 constexpr sentence check_loads(const mechanism& m, const loads& acting, const contents& held) {
   load_check by(m, held);
   acting.each([&](const auto& load, int place) {
     if (!by.mistake()) load.check_with(by, place);
   });
+  for (const positive_constant& each : acting.positive_constants) each.check_with(by);
   detail::gravity_checker(m, acting.gravity, held, by).run();
   if (!by.mistake()) check_repeated_loads(m, acting, held, by);
   if (!by.mistake()) check_weights(m, acting, held, by);

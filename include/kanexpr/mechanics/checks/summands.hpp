@@ -79,18 +79,18 @@ private:
   const sequence<int>& wanted_;
 };
 
-/// Whether a subset of the vectors adds up to `whole`.
+/// Whether a subset of the vectors adds up to `whole`, to ten digits of it. The other vectors may be of any
+/// size, but larger ones that cancel to `whole` except for their rounding are not found.
 constexpr bool is_sum_of_some(const sequence<triple>& given, triple whole) {
   if (given.size() > 10) return false;
-  double size = length(whole);
-  for (const triple& v : given) size += length(v);
+  const double most = 1e-10 * length(whole);
   const auto reaches = [&](const auto& next, int from, triple left) -> bool {
-    if (length(left) <= 1e-10 * size) return true;
+    if (length(left) <= most) return true;
     for (int i = from; i < given.size(); ++i)
       if (next(next, i + 1, left - given[i])) return true;
     return false;
   };
-  return length(whole) > 1e-9 * size && reaches(reaches, 0, whole);
+  return most > 0 && reaches(reaches, 0, whole);
 }
 
 } // namespace kanexpr::mechanics

@@ -52,6 +52,15 @@ public:
     return none;
   }
 
+  /// After `next`, the first velocity constraint whose derivatives with respect to the speeds became a
+  /// combination of those of the preceding ones while the state approached it.
+  constexpr int row_that_became_dependent() const {
+    const sequence<double> now = independent_parts();
+    for (int i = 1; i < parts_at_start_.size(); ++i)
+      if (now[i] < 1e-4 * parts_at_start_[i] && now[i] < 1e-5) return i;
+    return none;
+  }
+
 private:
   static constexpr sequence<expression> first(int count, const sequence<expression>& all) {
     sequence<expression> some;
@@ -88,7 +97,8 @@ private:
   constexpr bool move() {
     if (moves_.empty()) return true;
     constexpr int most_steps = 30; // for a double root, each step halves the distance
-    sizes_at_start_.clear();
+    sizes_at_start_.clear(), parts_at_start_.clear();
+    if (!are_linear_) parts_at_start_ = independent_parts();
     for (int i = 0; i < moves_.size() && !are_linear_; ++i) sizes_at_start_.push(size_of_row(i));
     for (int steps = 0; steps < most_steps; ++steps) {
       sequence<double> residual;
@@ -108,6 +118,44 @@ private:
       if (entry > largest) largest = entry;
     }
     return largest;
+  }
+
+  /// The derivatives of a velocity constraint with respect to the speeds, in units of the speeds.
+  constexpr sequence<double> row_of(int i) const {
+    sequence<double> row;
+    for (int j = 0; j < by_u_.columns; ++j) row.push(value(by_u_(i, j)) * sizes_[m_.speeds[j].node()]);
+    return row;
+  }
+
+  /// For each velocity constraint, the part of its derivatives that those of the preceding ones do not
+  /// contain, relative to all of them.
+  constexpr sequence<double> independent_parts() const {
+    const auto product = [](const sequence<double>& a, const sequence<double>& b) {
+      double sum = 0;
+      for (int j = 0; j < a.size(); ++j) sum += a[j] * b[j];
+      return sum;
+    };
+    sequence<sequence<double>> basis;
+    sequence<double> parts;
+    for (int i = 0; i < moves_.size(); ++i) {
+      sequence<double> row = row_of(i);
+      const double whole = product(row, row);
+      if (!(whole > 0) || !numeric::elementary::detail::is_finite(whole)) {
+        parts.push(0);
+        continue;
+      }
+      for (const sequence<double>& each : basis) {
+        const double along = product(each, row);
+        for (int j = 0; j < row.size(); ++j) row[j] -= along * each[j];
+      }
+      const double rest = product(row, row);
+      parts.push(rest > 0 ? numeric::elementary::sqrt(rest / whole) : 0.0);
+      if (!(rest > 0)) continue;
+      const double length = numeric::elementary::sqrt(rest);
+      for (double& entry : row) entry /= length;
+      basis.push(row);
+    }
+    return parts;
   }
 
   /// Whether the velocity constraints hold up to rounding.
@@ -171,7 +219,7 @@ private:
   symbolic::evaluation evaluate_;
   symbolic::rate_evaluation rates_;
   detail::generic_values generic_;
-  sequence<double> sizes_at_start_{}; ///< of the rows of nonlinear constraints
+  sequence<double> sizes_at_start_{}, parts_at_start_{}; ///< of the rows of nonlinear constraints
 };
 
 /// The number of states to check, the number of attempts to find them, and the number that must be found.

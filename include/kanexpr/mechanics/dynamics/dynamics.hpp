@@ -140,6 +140,17 @@ public:
   constexpr sequence<expression> reduce(const sequence<expression>& forces) {
     return reduced(forces, speeds_, dependent().on_independent);
   }
+  /// The same for each column of a matrix.
+  constexpr symbolic::matrix reduce(const symbolic::matrix& columns) {
+    symbolic::matrix all(*m_.g, speeds_.independent.size(), columns.columns);
+    for (int j = 0; j < columns.columns; ++j) {
+      sequence<expression> force;
+      for (int i = 0; i < columns.rows; ++i) force.push(columns(i, j));
+      const sequence<expression> found = reduce(force);
+      for (int i = 0; i < found.size(); ++i) all(i, j) = found[i];
+    }
+    return all;
+  }
 
   /// F_r for the independent speeds.
   constexpr sequence<expression> active_forces() {

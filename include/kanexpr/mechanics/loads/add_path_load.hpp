@@ -18,7 +18,7 @@ constexpr bool is_straight(const pathway& p) {
 }
 
 constexpr void add_force_along(loads& to, const pathway& along, expression tension) {
-  to.path_loads.push({along, tension_law::given, {tension}});
+  to.add(path_load{along, tension_law::given, {tension}});
 }
 
 /// Adds a spring with the tension k x + k₃ x³.
@@ -26,17 +26,17 @@ constexpr void add_spring_along(loads& to, const pathway& along, expression stif
                                 expression length) {
   if (is_straight(along) && cubic.is_zero())
     return add_spring(to.spring_dampers, along.points[0], along.points[1], stiffness, length);
-  to.path_loads.push({along, tension_law::spring, {stiffness, cubic, length}});
+  to.add(path_load{along, tension_law::spring, {stiffness, cubic, length}});
 }
 
 constexpr void add_damper_along(loads& to, const pathway& along, expression damping) {
   if (is_straight(along)) return add_damper(to.spring_dampers, along.points[0], along.points[1], damping);
-  to.path_loads.push({along, tension_law::damper, {damping}});
+  to.add(path_load{along, tension_law::damper, {damping}});
 }
 
 constexpr void add_friction_along(loads& to, const pathway& along, expression normal_force,
                                   const friction_law& law) {
-  to.path_loads.push({along, tension_law::friction, {normal_force}, law});
+  to.add(path_load{along, tension_law::friction, {normal_force}, law});
 }
 
 /// A stop at a least and at a greatest length; the width is the default one if it is not given.
@@ -46,7 +46,7 @@ struct stop_at_ends {
 
 constexpr void add_stop(loads& to, const pathway& along, const stop_at_ends& by) {
   const expression width = by.width.is_given() ? by.width : default_width_of_stop(by.least, by.greatest);
-  to.path_loads.push({along, tension_law::stop, {by.least, by.greatest, by.stiffness, by.damping, width}});
+  to.add(path_load{along, tension_law::stop, {by.least, by.greatest, by.stiffness, by.damping, width}});
 }
 
 } // namespace kanexpr::mechanics

@@ -27,7 +27,9 @@ struct brush_tyre {
   constexpr tyre_effort at(const tyre_slip& s) const {
     using symbolic::expression, symbolic::real;
     const expression zero = s.load.number({}), one = s.load.number(symbolic::exactly(1));
-    const expression tiny = zero.number(real(1e-12)), width = zero.number(real(1e-4));
+    const expression width = zero.number(real(1e-4)), stiff = slip_stiffness + cornering_stiffness;
+    // keeps w finite at no load, also in single precision, and changes nothing else by more than rounding
+    const expression tiny = zero.number(real(1e-15)) * stiff + zero.number(real(1e-30));
     const expression limit = friction * s.load, least = 3 * limit, reach = least + tiny;
     const expression leaning = camber_stiffness * s.camber, bent = cornering_stiffness * s.lateral;
     const expression x = slip_stiffness * s.forward / reach, y = (bent - leaning) / reach;

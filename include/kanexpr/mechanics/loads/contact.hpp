@@ -17,6 +17,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/mechanics/motion/direction_at_rest.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
@@ -38,6 +39,18 @@ struct rotation_resistance {
   constexpr explicit operator bool() const { return lever.is_given(); }
 };
 
+/// A direction along which the friction differs from that across it, such as the blade of a skate. With the
+/// slip v and the stretch S v, in which the part of v along the direction is multiplied by the ratio, the
+/// friction is S F(S v) instead of F(v). By Coulomb's law, the friction along the direction is that across it
+/// times the ratio, and its limit is an ellipse. Its power is that of F at the slip S v.
+struct friction_direction {
+  components unit{}; ///< in the axes of `frame`
+  int frame = none;
+  expression ratio{}; ///< of the friction along the direction to that across it
+
+  constexpr explicit operator bool() const { return ratio.is_given(); }
+};
+
 /// A contact between two bodies, which is open if they do not touch. The normal force and the friction act at
 /// the contact, on the first body and, with opposite sign, on the second.
 struct contact {
@@ -45,6 +58,7 @@ struct contact {
   contact_law law{};
   friction_law friction{};
   rotation_resistance rolling{}, spinning{};
+  friction_direction direction{};
 
 private:
   /// The normal force that belongs to an elastic force and a relative velocity.
@@ -55,6 +69,20 @@ private:
 
   constexpr components in_tangent_plane(const components& v, const touching& at) const {
     return v - dot(at.normal, v) * at.normal;
+  }
+
+  /// S v of a vector in the tangent plane.
+  constexpr components stretched(const components& v, const touching& at, const mechanism& m) const {
+    if (!direction) return v;
+    vector given;
+    given.add(direction.frame, direction.unit);
+    const components along = in_tangent_plane(express(m, given, between.other), at);
+    const expression part = dot(along, v) / dot(along, along), excess = direction.ratio - 1;
+    return v + (excess * part) * along;
+  }
+  constexpr components slip_of_friction(const components& slip, const touching& at,
+                                        const mechanism& m) const {
+    return stretched(in_tangent_plane(slip, at), at, m);
   }
 
   /// The friction force of the bristles and their rates. In a plane of contact that turns, the deflection is
@@ -76,10 +104,12 @@ private:
   template <class Motion>
   constexpr components tangential_force(Motion& on, const touching& at, const components& slip,
                                         expression pressing) const {
-    if (!friction) return components(*on.skeleton_used().model->g);
-    const components tangent = in_tangent_plane(slip, at);
-    if (friction.has_bristles()) return force_of(move_bristles(on, pressing, tangent), at);
-    return -((pressing * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
+    const mechanism& m = *on.skeleton_used().model;
+    if (!friction) return components(*m.g);
+    const components tangent = slip_of_friction(slip, at, m);
+    if (friction.has_bristles()) return stretched(force_of(move_bristles(on, pressing, tangent), at), at, m);
+    const components force = -((pressing * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
+    return stretched(force, at, m);
   }
 
 public:
@@ -89,7 +119,8 @@ public:
     const expression elastic = law.elastic_force(at.penetration), pressing = pressed_by(elastic, at, slip);
     const expression as_force = how == conservative::by_energy ? pressing - elastic : pressing;
     add_force(on, at, as_force * at.push, tangential_force(on, at, slip, pressing));
-    if (friction.has_bristles()) add_shares(on, move_bristles(on, pressing, in_tangent_plane(slip, at)));
+    if (friction.has_bristles())
+      add_shares(on, move_bristles(on, pressing, slip_of_friction(slip, at, *on.skeleton_used().model)));
     if (!rolling && !spinning) return;
     const components w = relative_spin(on.skeleton_used()), about_normal = dot(w, at.normal) * at.normal;
     if (rolling) add_resistance(on, rolling, pressing, w - about_normal);
@@ -130,7 +161,7 @@ public:
     const touching at = between.at(m);
     const components slip = relative_velocity(on.moving(), at);
     const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
-    const moving_bristles moving = move_bristles(on, pressing, in_tangent_plane(slip, at));
+    const moving_bristles moving = move_bristles(on, pressing, slip_of_friction(slip, at, m));
     for (int i = 0; i < moving.rates.size(); ++i)
       all.push({m.speeds.find(friction.bristles.deflections[i]), moving.rates[i], {}});
   }
@@ -234,6 +265,10 @@ constexpr void contact::check_with(load_check& by, int) const {
     return by.fail({"the axis of the torus of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.axis_frame),
                     "; its components may contain only numbers and parameters"});
+  if (between.shapes == contact_shapes::torus_on_plane &&
+      !is_at_rest_in(m, between.axis, between.axis_frame, between.frame))
+    return by.fail({"the axis of the torus of the contact between ", names.view(), " turns in ",
+                    by.frame(between.frame), ", the frame of its body"});
   const auto constant = [&](expression e, std::string_view what, bool is_positive) {
     if (!e.is_given()) return;
     by.check_constant(e, what, names.view());
@@ -255,6 +290,18 @@ constexpr void contact::check_with(load_check& by, int) const {
   constant(spinning.angular_velocity, "the angular velocity of the spinning resistance between ", true);
   const sentence whose({"the contact between ", names.view()});
   friction.check_with(by, whose.view());
+  if (direction) {
+    constant(direction.ratio, "the ratio of the directional friction of the contact between ", true);
+    if (!is_fixed(direction.unit))
+      return by.fail({"the direction of the friction of the contact between ", names.view(),
+                      " is not fixed in ", by.frame(direction.frame),
+                      "; its components may contain only numbers and parameters"});
+    if (!friction) return by.fail({whose.view(), " has a direction of friction, but no law of friction"});
+    if (between.has_plane() && direction.frame == between.other &&
+        cross(direction.unit, between.normal).is_zero())
+      return by.fail({"the direction of the friction of the contact between ", names.view(),
+                      " is parallel to the normal"});
+  }
   if (law.damping.is_given())
     by.check_not_negative(law.damping, "the damping of the contact between ", names.view());
   if (rolling)
@@ -316,6 +363,8 @@ constexpr void contact::state_units(load_units& by, int) const {
         si::meter / si::second);
   for (const expression& z : friction.bristles.deflections)
     state(z, "the deflection of a bristle of the contact between ", si::meter * units::pow<1, 2>(si::newton));
+  state(direction.ratio, "the ratio of the directional friction of the contact between ",
+        units::dimensionless);
   state(rolling.lever, "the lever of the rolling resistance between ", si::meter);
   state(rolling.angular_velocity, "the angular velocity of the rolling resistance between ",
         si::radian / si::second);

@@ -25,10 +25,11 @@ constexpr expression tanh_over_root(expression z) {
   constexpr std::int64_t series[][2]{{21844, 6081075}, {-1382, 155925}, {62, 2835}, {-17, 315},
                                      {2, 15},          {-1, 3},         {1, 1}};
   const auto term = [&](int i) { return z.number(symbolic::exactly(series[i][0], series[i][1])); };
+  const expression limit = z.number(symbolic::exactly(1, 100)), bounded = (symbolic::min)(z, limit);
   expression sum = term(0);
-  for (int i = 1; i < 7; ++i) sum = sum * z + term(i);
+  for (int i = 1; i < 7; ++i) sum = sum * bounded + term(i); // does not overflow in single precision
   const expression root = sqrt(z), ratio = tanh(root) / root;
-  return symbolic::if_positive(z - z.number(symbolic::exactly(1, 100)), ratio, sum);
+  return symbolic::if_positive(z - limit, ratio, sum);
 }
 
 } // namespace detail
@@ -97,8 +98,8 @@ struct friction_law {
     switch (kind) {
     case friction_kind::frictionless: return false;
     case friction_kind::viscous: return !viscous.is_given();
-    case friction_kind::coulomb:
-    case friction_kind::bristles: return !sliding.is_given();
+    case friction_kind::coulomb: return !sliding.is_given();
+    case friction_kind::bristles: return !sliding.is_given() || !bristles.stiffness.is_given();
     case friction_kind::stribeck: return !sliding.is_given() || !sticking.is_given();
     }
     return false;
@@ -203,11 +204,10 @@ private:
     constant(bristles.stiffness, "the stiffness of the bristles of ", true);
     constant(bristles.stribeck_speed, "the Stribeck speed of ", true);
     constant(bristles.damping, "the damping of the bristles of ", false);
+    if (bristles.damping.is_given())
+      by.check_not_negative(bristles.damping, "the damping of the bristles of ", whose);
     by.check_positive(sliding, "the coefficient of friction of ", whose);
     if (sticking.is_given()) by.check_positive(sticking, "the coefficient of static friction of ", whose);
-    if (bristles.damping.is_given() && bristles.damping.is_constant() &&
-        bristles.damping.owner().number_at(bristles.damping.node()).value() < 0)
-      by.fail({"the damping of the bristles of ", whose, " is negative"});
   }
 
   /// μ_c + (μ_s − μ_c) exp(−(v/v_s)²)

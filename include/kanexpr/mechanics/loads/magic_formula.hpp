@@ -267,7 +267,13 @@ constexpr std::string_view missing_coefficient(const magic_formula::coefficients
   if (c.R0.is_zero()) return "R0";
   const bool is_by_speed = !c.qsy3.is_zero() || !c.qsy4.is_zero();
   if (is_by_speed && c.V0.is_zero()) return "V0";
+  const bool is_forward = !c.pDx1.is_zero() || !c.pDx2.is_zero();
   const bool is_lateral = !c.pDy1.is_zero() || !c.pDy2.is_zero();
+  if (is_forward && c.pCx1.is_zero()) return "pCx1";
+  if (is_forward && c.pKx1.is_zero() && c.pKx2.is_zero()) return "pKx1";
+  if (is_lateral && c.pCy1.is_zero()) return "pCy1";
+  if (is_lateral && c.pKy1.is_zero()) return "pKy1";
+  if (is_lateral && c.pKy4.is_zero()) return "pKy4";
   if (is_lateral && c.pKy2.is_zero() && c.pKy5.is_zero()) return "pKy2";
   return {};
 }

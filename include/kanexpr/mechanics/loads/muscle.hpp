@@ -80,10 +80,10 @@ struct muscle {
   }
 
   constexpr void check_with(load_check& by, int) const {
-    const sentence whose({"the muscle ", called.view()});
-    if (const sentence found = along.find_mistake(by.mechanism_used(), whose.view()))
+    const sentence named({"muscle ", called.view()}), whose({"the ", named.view()});
+    if (const sentence found = along.find_mistake(by.mechanism_used(), named.view()))
       return by.fail({found.view()});
-    along.check_with(by, whose.view());
+    along.check_with(by, named.view());
     by.check_no_speed_rates(activation, "the activation of ", whose.view());
     const auto examine = [&](expression e, std::string_view of, bool is_positive) {
       by.check_constant(e, of, whose.view());
@@ -94,15 +94,19 @@ struct muscle {
     examine(slack_length, "the tendon slack length of ", true);
     examine(maximal_velocity, "the maximal fiber velocity of ", true);
     examine(pennation, "the pennation of ", false);
-    examine(damping, "the fiber damping of ", !damping.is_zero());
+    by.check_not_negative(pennation, "the pennation of ", whose.view());
+    if (pennation.is_constant() && pennation.owner().number_at(pennation.node()).value() >= 1.570796326794896)
+      by.fail({"the pennation of ", whose.view(), " is not less than a right angle"});
+    examine(damping, "the fiber damping of ", false);
+    by.check_not_negative(damping, "the fiber damping of ", whose.view());
     examine(tendon_strain, "the tendon strain of ", true);
     examine(passive_strain, "the passive strain of ", true);
   }
 
   constexpr void state_units(load_units& by, int) const {
     namespace si = units::si;
-    const sentence whose({"the muscle ", called.view()});
-    along.state_units(by, whose.view());
+    const sentence named({"muscle ", called.view()}), whose({"the ", named.view()});
+    along.state_units(by, named.view());
     const auto expect = [&](expression e, std::string_view of, const units::unit& u) {
       by.describe({of, whose.view()});
       by.expect(e, u);

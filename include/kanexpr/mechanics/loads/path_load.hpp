@@ -247,17 +247,13 @@ private:
       by.check_prescribed(terms[0], "the least length of the ", whose);
       by.check_prescribed(terms[1], "the greatest length of the ", whose);
     }
-    if (is_not_positive(terms[1] - terms[0]))
+    const expression range = terms[1] - terms[0];
+    if (range.is_constant() && !(range.owner().number_at(range.node()).value() > 0))
       by.fail({"the greatest length of the ", whose, " does not exceed the least length"});
-    if (is_not_positive(terms[2])) by.fail({"the stiffness of the ", whose, " is not positive"});
-    if (is_not_positive(terms[4])) by.fail({"the width of the ", whose, " is not positive"});
-    if (!terms[3].is_zero() && is_not_positive(terms[3]))
-      by.fail({"the damping of the ", whose, " is negative"});
-  }
-
-  /// Whether an expression is a number that is not positive.
-  static constexpr bool is_not_positive(expression e) {
-    return e.is_constant() && !(e.owner().number_at(e.node()).value() > 0);
+    by.check_positive(range, "the distance between the ends of the ", whose);
+    by.check_positive(terms[2], "the stiffness of the ", whose);
+    by.check_positive(terms[4], "the width of the ", whose);
+    by.check_not_negative(terms[3], "the damping of the ", whose);
   }
 };
 

@@ -122,6 +122,11 @@ constexpr void add_spring(sequence<spring_damper>& to, int point, int other, exp
   to.push({point, other, stiffness, length, {stiffness.owner(), graph::zero}});
 }
 
+constexpr spring_damper damper_alone(int point, int other, expression damping) {
+  const expression nothing{damping.owner(), graph::zero};
+  return {point, other, nothing, nothing, damping};
+}
+
 /// Adds a damper, in parallel with an existing spring if there is one.
 constexpr void add_damper(sequence<spring_damper>& to, int point, int other, expression damping) {
   for (spring_damper& parallel : to)
@@ -130,8 +135,7 @@ constexpr void add_damper(sequence<spring_damper>& to, int point, int other, exp
       parallel.damping = damping;
       return;
     }
-  const expression nothing{damping.owner(), graph::zero};
-  to.push({point, other, nothing, nothing, damping});
+  to.push(damper_alone(point, other, damping));
 }
 
 } // namespace kanexpr::mechanics

@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/loads/tyre_law.hpp>
@@ -78,6 +79,13 @@ struct tyre {
     on.add_share(relaxation.lateral, s.lateral_rate);
   }
 
+  /// The slip and the load on which the forces depend.
+  constexpr tyre_slip slip(observed_motion& on) const {
+    return slip_at(on, wheel.contact(*on.skeleton_used().model)).slip;
+  }
+  /// The forces and moments of the ground on the wheel.
+  constexpr tyre_effort effort(observed_motion& on) const { return known_law(on).at(slip(on)); }
+
   /// Appends the rates of the deflections.
   constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
     if (!relaxation) return;
@@ -103,14 +111,16 @@ private:
 
   constexpr bool has_energy() const { return is_radial() && wheel.ground != ground_shape::uneven; }
 
-  constexpr tyre_law known_law(force_system& on) const {
+  template <class Motion>
+  constexpr tyre_law known_law(Motion& on) const {
     tyre_law known = law;
     tyre_law::each_value(known,
                          [&](expression& e, std::string_view, const units::unit&) { e = on.known(e); });
     return known;
   }
 
-  constexpr slipping slip_at(force_system& on, const wheel_contact& at) const {
+  template <class Motion>
+  constexpr slipping slip_at(Motion& on, const wheel_contact& at) const {
     const wheel_motion moves = wheel.motion_at(on.moving(), at);
     slipping s;
     s.slip.load = at.camber_sine.number({});
@@ -134,8 +144,8 @@ private:
     return s;
   }
 
-  constexpr void relax(slipping& s, force_system& on, expression x, expression y,
-                       expression reference) const {
+  template <class Motion>
+  constexpr void relax(slipping& s, Motion& on, expression x, expression y, expression reference) const {
     const mechanism& m = *on.skeleton_used().model;
     const expression along = m.speeds[relaxation.forward] / on.known(relaxation.forward_length);
     const expression across = m.speeds[relaxation.lateral] / on.known(relaxation.lateral_length);
@@ -171,7 +181,17 @@ constexpr void tyre::check_with(load_check& by, int) const {
   part(effective_radius, "the effective radius of ");
   constant(radial.stiffness, "the radial stiffness of ");
   constant(radial.width, "the width of ");
+  const auto not_negative = [&](expression e, std::string_view what) {
+    if (e.is_given()) by.check_not_negative(e, what, names.view());
+  };
   if (radial.damping.is_given()) by.check_constant(radial.damping, "the radial damping of ", names.view());
+  not_negative(radial.damping, "the radial damping of ");
+  not_negative(load, "the load of ");
+  tyre_law::each_bound(law, not_negative, [&](expression e, std::string_view what) {
+    by.check_positive(e, what, names.view());
+  });
+  if (effective_radius.is_given())
+    by.check_positive(effective_radius, "the effective radius of ", names.view());
   constant(standstill, "the speed of standstill of ");
   constant(relaxation.forward_length, "a relaxation length of ");
   constant(relaxation.lateral_length, "a relaxation length of ");

@@ -51,6 +51,25 @@ struct tyre_law {
     elastic(self.brush);
   }
 
+  /// Calls `not_negative` or `positive` for each value that may not be negative, or must be positive, with
+  /// its name. The coefficients of the Magic Formula may have any sign.
+  template <class NotNegative, class Positive>
+  static constexpr void each_bound(const tyre_law& law, const NotNegative& not_negative,
+                                   const Positive& positive) {
+    if (law.model == tyre_model::magic_formula) {
+      positive(law.formula[0].Fz0, "the nominal load Fz0 of ");
+      positive(law.formula[0].R0, "the unloaded radius R0 of ");
+      positive(law.formula[0].pressure, "the pressure of ");
+      positive(law.formula[0].nominal_pressure, "the nominal pressure of ");
+      return;
+    }
+    const bool is_linear = law.model == tyre_model::linear;
+    not_negative(is_linear ? law.linear.slip_stiffness : law.brush.slip_stiffness, "the slip stiffness of ");
+    not_negative(is_linear ? law.linear.cornering_stiffness : law.brush.cornering_stiffness,
+                 "the cornering stiffness of ");
+    if (!is_linear) not_negative(law.brush.friction, "the coefficient of friction of ");
+  }
+
 private:
   template <class Coefficients, class Visit>
   static constexpr void each_coefficient(Coefficients& c, const Visit& visit) {

@@ -12,6 +12,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/mechanics/motion/direction_at_rest.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
@@ -143,6 +144,8 @@ constexpr void wheel_on_ground::check_with(load_check& by, std::string_view what
   fixed(axis, "the axis of ", axis_frame);
   fixed(normal, "the normal of ", other);
   fixed(along, "the direction of the rail of ", other);
+  if (is_fixed(axis) && !is_at_rest_in(m, axis, axis_frame, frame))
+    by.fail({"the axis of ", names.view(), " turns in ", by.frame(frame), ", the frame of its body"});
   const auto constant = [&](expression e, std::string_view part) {
     if (e.is_given()) by.check_constant(e, part, names.view());
   };
@@ -152,6 +155,8 @@ constexpr void wheel_on_ground::check_with(load_check& by, std::string_view what
   constant(head, "the radius of the head of the rail of ");
   constant(height, "the height of the ground of ");
   by.check_positive(radius, "the radius of ", names.view());
+  if (tube.is_given()) by.check_not_negative(tube, "the radius of the tube of ", names.view());
+  if (head.is_given()) by.check_not_negative(head, "the radius of the head of the rail of ", names.view());
   if (!height.is_given()) return;
   const expression z = surface_coordinates(height.owner()).z;
   if (!symbolic::differentiate(height, z).is_zero())

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/printing/latex_form.hpp>
 #include <kanexpr/symbolic/printing/plain_text_form.hpp>
+#include <kanexpr/symbolic/printing/write_within.hpp>
 
+#include <cstddef>
 #include <string>
 
 namespace kanexpr::mechanics {
@@ -59,40 +62,52 @@ void add_part(symbolic::printing::sum_text& sum, const Form& form, expression me
 }
 
 template <class Form>
-std::string write(const mechanism& m, const vector& v, basis_style style) {
-  const Form form(*m.g);
-  symbolic::printing::sum_text sum;
+std::string write(const mechanism& m, const vector& v, basis_style style, std::size_t longest) {
+  base::sequence<int> measures;
   for (const vector::part& p : v.parts)
-    for (int i = 0; i < 3; ++i) add_part(sum, form, p.value[i], form.unit(m.frames[p.frame], i, style));
-  return sum.text();
+    for (int i = 0; i < 3; ++i) measures.push(p.value[i].node());
+  return symbolic::printing::write_within<Form>(longest, *m.g, measures, [&](const Form& form) {
+    symbolic::printing::sum_text sum;
+    for (const vector::part& p : v.parts)
+      for (int i = 0; i < 3; ++i) add_part(sum, form, p.value[i], form.unit(m.frames[p.frame], i, style));
+    return sum.text();
+  });
 }
 
 template <class Form>
-std::string write(const mechanism& m, const dyadic& d, basis_style style) {
-  const Form form(*m.g);
-  symbolic::printing::sum_text sum;
+std::string write(const mechanism& m, const dyadic& d, basis_style style, std::size_t longest) {
+  base::sequence<int> measures;
   for (const dyadic::part& p : d.parts)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        add_part(sum, form, p.value(i, j),
-                 form.dyad(form.unit(m.frames[p.left], i, style), form.unit(m.frames[p.right], j, style)));
-  return sum.text();
+    for (int i = 0; i < 9; ++i) measures.push(p.value(i / 3, i % 3).node());
+  return symbolic::printing::write_within<Form>(longest, *m.g, measures, [&](const Form& form) {
+    symbolic::printing::sum_text sum;
+    for (const dyadic::part& p : d.parts)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          add_part(sum, form, p.value(i, j),
+                   form.dyad(form.unit(m.frames[p.left], i, style), form.unit(m.frames[p.right], j, style)));
+    return sum.text();
+  });
 }
 
 } // namespace vector_text
 
-KANEXPR_ENGINE std::string print(const mechanism& m, const vector& v, basis_style style) {
-  return vector_text::write<vector_text::plain>(m, v, style);
+KANEXPR_ENGINE std::string print(const mechanism& m, const vector& v, basis_style style,
+                                 std::size_t longest) {
+  return vector_text::write<vector_text::plain>(m, v, style, longest);
 }
-KANEXPR_ENGINE std::string print(const mechanism& m, const dyadic& d, basis_style style) {
-  return vector_text::write<vector_text::plain>(m, d, style);
+KANEXPR_ENGINE std::string print(const mechanism& m, const dyadic& d, basis_style style,
+                                 std::size_t longest) {
+  return vector_text::write<vector_text::plain>(m, d, style, longest);
 }
 
-KANEXPR_ENGINE std::string latex(const mechanism& m, const vector& v, basis_style style) {
-  return vector_text::write<vector_text::typeset>(m, v, style);
+KANEXPR_ENGINE std::string latex(const mechanism& m, const vector& v, basis_style style,
+                                 std::size_t longest) {
+  return vector_text::write<vector_text::typeset>(m, v, style, longest);
 }
-KANEXPR_ENGINE std::string latex(const mechanism& m, const dyadic& d, basis_style style) {
-  return vector_text::write<vector_text::typeset>(m, d, style);
+KANEXPR_ENGINE std::string latex(const mechanism& m, const dyadic& d, basis_style style,
+                                 std::size_t longest) {
+  return vector_text::write<vector_text::typeset>(m, d, style, longest);
 }
 
 } // namespace kanexpr::mechanics

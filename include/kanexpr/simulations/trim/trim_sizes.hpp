@@ -14,7 +14,8 @@ namespace kanexpr::simulations {
 /// The magnitudes of the symbols and functions of a system, in their units, estimated from one point and the
 /// derivatives there. A length is assigned its own magnitude or, if it is near zero, that of the greatest
 /// length; a speed has the magnitude that its acceleration would give it over the distance of its coordinate;
-/// an unknown input or parameter has the magnitude that changes a function by the magnitude of that function.
+/// a state variable near zero has the magnitude at which it would balance the other terms of its rate; an
+/// unknown input or parameter has the magnitude that changes a function by the magnitude of that function.
 /// The magnitude of a function follows from those of its symbols.
 class sizes {
 public:
@@ -23,10 +24,12 @@ public:
   /// known from elsewhere, or 0.
   sizes(const conditions& of, const std::vector<bool>& angles, const Eigen::VectorXd& values,
         const Eigen::MatrixXd& slope, double usual)
-      : of_(of), angles_(angles), coordinates_(of.known().coordinates), speeds_(of.known().speeds),
-        slope_(slope.cwiseAbs()), symbols_(values.cwiseAbs()), usual_(usual) {
+      : of_(of), angles_(angles), coordinates_(of.known().coordinates),
+        speeds_(of.known().speeds - of.known().state_variables), slope_(slope.cwiseAbs()),
+        symbols_(values.cwiseAbs()), usual_(usual) {
     size_coordinates();
     size_speeds();
+    size_state_variables();
     size_unknowns();
     size_functions();
   }
@@ -100,6 +103,28 @@ private:
       size = (std::max)(size, distances(k) * rate_);
       if (!(size > 0)) size = 1;
     }
+  }
+
+  /// The state variables that are near zero, such as the deflection of a tyre that is not driven. If the rate
+  /// of a state variable has no other terms, it is compared with those of another function that contains it.
+  void size_state_variables() {
+    const Eigen::VectorXd given = symbols_;
+    for (int z = coordinates_ + speeds_; z < of_.states(); ++z) {
+      double found = balancing(rate_of(z), z, given);
+      for (int i = 0; i < slope_.rows() && !(found > 0); ++i) found = balancing(i, z, given);
+      double& size = symbols_(z);
+      if (size <= 1e-6 * found) size = found;
+      if (!(size > 0)) size = 1;
+    }
+  }
+
+  /// Returns the value of a symbol at which its term in a function is as large as the largest other term; 0
+  /// if there is none.
+  double balancing(int function, int symbol, const Eigen::VectorXd& given) const {
+    Eigen::VectorXd terms = slope_.row(function).transpose().cwiseProduct(given);
+    terms(symbol) = 0;
+    const double found = terms.maxCoeff() / slope_(function, symbol);
+    return numeric::is_finite(found) ? found : 0;
   }
 
   void size_unknowns() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
@@ -8,9 +9,12 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/greek.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/text_with_parts.hpp>
+#include <kanexpr/symbolic/printing/write_within.hpp>
 #include <kanexpr/symbolic/printing/writer.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,6 +95,7 @@ public:
     const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
     return latex_name(s.called.view(), is_rate);
   }
+  std::string name_of_part(const std::string& name) const { return latex_name(name); }
   std::string number_of(const number& n) const {
     std::string text = decimal(n);
     if (text == "inf") return "\\infty";
@@ -113,11 +118,19 @@ public:
   }
   std::string in_parentheses(const std::string& text) const { return "\\left(" + text + "\\right)"; }
 
+  /// Appends the definitions of parts to a formula, one per line.
+  static std::string with_definitions(const std::string& text,
+                                      const std::vector<text_with_parts::part>& parts) {
+    std::string all = "\\begin{aligned}\n& " + text + " \\\\\n& \\text{where}";
+    for (const text_with_parts::part& each : parts) all.append(" \\\\\n" + each.name + " &= " + each.text);
+    return all + "\n\\end{aligned}";
+  }
+
 private:
   /// Whether a function is written as a name before its argument.
   bool is_named(int id) const {
     const operation op = at(id).op;
-    return is_written_as_function(op) && op != operation::sqrt && op != operation::cbrt &&
+    return !is_part(id) && is_written_as_function(op) && op != operation::sqrt && op != operation::cbrt &&
            op != operation::abs && op != operation::exp && op != operation::component && !is_selection(op);
   }
 
@@ -142,8 +155,12 @@ private:
   std::string function(int id, const std::string& mark, bool ends_open) const {
     const node& n = at(id);
     if (n.op == operation::component) return component(n);
-    if (n.op == operation::singularity_measure)
-      return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
+    if (is_solution(n.op)) return solution(n);
+    if (n.op == operation::factorization) return brackets(rows_of(id, false));
+    if (n.op == operation::singularity_measure) {
+      const std::string of = is_part(n.a) ? reference(n.a) : brackets(rows_of(n.a, false));
+      return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(of);
+    }
     if (is_selection(n.op)) return conditional(id);
     if (n.op == operation::call)
       return name_of(owner().external_at(id), mark) + in_parentheses(separated(elements(n.a)));
@@ -153,17 +170,21 @@ private:
     if (n.op == operation::exp) return "e^{" + argument + "}";
     const std::string word = word_for(n.op) + mark;
     if (is_binary(n.op)) return word + in_parentheses(argument + ", " + write(n.b));
-    if (at(n.a).op == operation::symbol && ends_open) return word + " " + argument;
+    if (is_one_name(n.a) && ends_open) return word + " " + argument;
     return word + in_parentheses(argument);
   }
 
   std::string component(const node& n) const {
-    const node& solution = at(n.a);
+    const std::string whole = is_part(n.a) ? reference(n.a) : solution(at(n.a));
+    return in_parentheses(whole) + "_{" + std::to_string(integer_at(owner(), n.b) + 1) + "}";
+  }
+  std::string solution(const node& n) const {
+    const bool transposed = n.op == operation::transposed_solve;
+    const std::string inverse = !is_part(n.a) ? brackets(rows_of(n.a, transposed)) + "^{-1}"
+                                              : reference(n.a) + (transposed ? "^{-\\mathsf{T}}" : "^{-1}");
     std::vector<std::vector<int>> right;
-    for (int id : elements(solution.b)) right.push_back({id});
-    const bool transposed = solution.op == operation::transposed_solve;
-    return in_parentheses(brackets(rows_of(solution.a, transposed)) + "^{-1} " + brackets(right)) + "_{" +
-           std::to_string(integer_at(owner(), n.b) + 1) + "}";
+    for (int id : elements(n.b)) right.push_back({id});
+    return inverse + " " + brackets(right);
   }
   std::string brackets(const std::vector<std::vector<int>>& rows) const {
     std::string text = "\\begin{bmatrix}";
@@ -180,17 +201,31 @@ private:
   }
 };
 
-} // namespace printing
-
-KANEXPR_ENGINE std::string latex(const graph& g, int id) { return printing::latex_form(g).write(id); }
-KANEXPR_ENGINE std::string latex(expression e) { return latex(e.owner(), e.node()); }
-
-KANEXPR_ENGINE std::string latex(const matrix& m) {
+inline std::string text_of(const matrix& m, const latex_form& form) {
   std::string text = "\\begin{bmatrix}\n";
   for (int i = 0; i < m.rows; ++i)
     for (int j = 0; j < m.columns; ++j)
-      text += latex(m(i, j)) + (j + 1 < m.columns ? " & " : i + 1 < m.rows ? " \\\\\n" : "\n");
+      text += form.write(m(i, j).node()) + (j + 1 < m.columns ? " & " : i + 1 < m.rows ? " \\\\\n" : "\n");
   return text + "\\end{bmatrix}";
+}
+
+} // namespace printing
+
+KANEXPR_ENGINE std::string latex(const graph& g, int id, std::size_t longest) {
+  const auto compose = [id](const printing::latex_form& form) { return form.write(id); };
+  return printing::write_within<printing::latex_form>(longest, g, {id}, compose);
+}
+KANEXPR_ENGINE std::string latex(expression e, std::size_t longest) {
+  return latex(e.owner(), e.node(), longest);
+}
+KANEXPR_ENGINE text_with_parts latex_each(const sequence<expression>& all, std::size_t longest) {
+  return printing::write_each<printing::latex_form>(longest, all);
+}
+KANEXPR_ENGINE std::string latex(const matrix& m, std::size_t longest) {
+  if (m.entries.empty()) return "\\begin{bmatrix}\n\\end{bmatrix}";
+  const auto compose = [&m](const printing::latex_form& form) { return printing::text_of(m, form); };
+  return printing::write_within<printing::latex_form>(longest, m.entries[0].owner(), nodes_of(m.entries),
+                                                      compose);
 }
 
 } // namespace kanexpr::symbolic

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/printing/short_text.hpp>
+#include <kanexpr/symbolic/printing/text_with_parts.hpp>
+#include <kanexpr/symbolic/printing/write_within.hpp>
 #include <kanexpr/symbolic/printing/writer.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,11 +38,13 @@ public:
   }
   std::string function(int id) const {
     const node& n = at(id);
-    if (n.op == operation::component) {
-      const node& solution = at(n.a);
-      return "solve(" + matrix_of(solution.a, solution.op == operation::transposed_solve) + ", " +
-             list(elements(solution.b)) + ")[" + std::to_string(integer_at(owner(), n.b) + 1) + "]";
-    }
+    if (n.op == operation::component)
+      return (is_part(n.a) ? reference(n.a) : function(n.a)) + "[" +
+             std::to_string(integer_at(owner(), n.b) + 1) + "]";
+    if (is_solution(n.op))
+      return "solve(" + matrix_of(n.a, n.op == operation::transposed_solve) + ", " + list(elements(n.b)) +
+             ")";
+    if (n.op == operation::factorization) return rows(id, false);
     if (n.op == operation::singularity_measure)
       return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
     if (is_selection(n.op)) return conditional(id);
@@ -54,6 +62,7 @@ public:
     const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
     return std::string(s.called.view()) + (is_rate ? "'" : "");
   }
+  std::string name_of_part(const std::string& name) const { return name; }
   std::string number_of(const number& n) const { return decimal(n); }
   std::string exponent(int id) const { return operand(id); }
   std::string power(const std::string& base, const std::string& exponent) const {
@@ -62,9 +71,21 @@ public:
   std::string raised(int base, const std::string& exponent) const { return power(operand(base), exponent); }
   std::string in_parentheses(const std::string& text) const { return "(" + text + ")"; }
 
+  /// Appends the definitions of parts to a text.
+  static std::string with_definitions(const std::string& text,
+                                      const std::vector<text_with_parts::part>& parts) {
+    std::string all = text + "\nwhere";
+    for (const text_with_parts::part& each : parts) all.append("\n  " + each.name + " = " + each.text);
+    return all;
+  }
+
 private:
   std::string list(const std::vector<int>& nodes) const { return "[" + separated(nodes) + "]"; }
   std::string matrix_of(int factorization, bool transposed) const {
+    if (!is_part(factorization)) return rows(factorization, transposed);
+    return transposed ? "transpose(" + reference(factorization) + ")" : reference(factorization);
+  }
+  std::string rows(int factorization, bool transposed) const {
     std::string text;
     for (const std::vector<int>& row : rows_of(factorization, transposed))
       text += (text.empty() ? "" : ", ") + list(row);
@@ -74,8 +95,23 @@ private:
 
 } // namespace printing
 
-KANEXPR_ENGINE std::string print(const graph& g, int id) { return printing::plain_text_form(g).write(id); }
-KANEXPR_ENGINE std::string print(expression e) { return print(e.owner(), e.node()); }
+KANEXPR_ENGINE std::string print(const graph& g, int id, std::size_t longest) {
+  const auto compose = [id](const printing::plain_text_form& form) { return form.write(id); };
+  return printing::write_within<printing::plain_text_form>(longest, g, {id}, compose);
+}
+KANEXPR_ENGINE std::string print(expression e, std::size_t longest) {
+  return print(e.owner(), e.node(), longest);
+}
+KANEXPR_ENGINE std::string print_in_sentence(expression e) {
+  constexpr std::size_t longest = 300;
+  const printing::plain_text_form form(e.owner(), longest);
+  const std::string text = form.write(e.node());
+  const bool is_short = !form.is_cut_short() && text.size() <= longest;
+  return is_short ? text : std::string(short_text(e.owner(), e.node()).view());
+}
+KANEXPR_ENGINE text_with_parts print_each(const sequence<expression>& all, std::size_t longest) {
+  return printing::write_each<printing::plain_text_form>(longest, all);
+}
 
 namespace printing {
 
@@ -85,15 +121,13 @@ inline std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));
 }
 
-} // namespace printing
-
-KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before) {
-  using printing::width_of;
+inline std::string text_of(const matrix& m, std::string_view before, const plain_text_form& form) {
   std::vector<std::string> entries;
   std::vector<std::size_t> widths(static_cast<std::size_t>(m.columns));
   for (const expression& e : m.entries) {
     std::size_t& width = widths[entries.size() % widths.size()];
-    entries.push_back(print(e));
+    entries.push_back(form.write(e.node()));
+    if (form.is_cut_short()) return {};
     width = (std::max)(width, width_of(entries.back()));
   }
   std::string text(before);
@@ -109,5 +143,17 @@ KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before) {
   }
   return text;
 }
+
+} // namespace printing
+
+KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before, std::size_t longest) {
+  if (m.entries.empty()) return std::string(before);
+  const auto compose = [&](const printing::plain_text_form& form) {
+    return printing::text_of(m, before, form);
+  };
+  return printing::write_within<printing::plain_text_form>(longest, m.entries[0].owner(), nodes_of(m.entries),
+                                                           compose);
+}
+KANEXPR_ENGINE std::string print(const matrix& m, std::size_t longest) { return print(m, {}, longest); }
 
 } // namespace kanexpr::symbolic

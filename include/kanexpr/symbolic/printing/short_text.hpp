@@ -15,7 +15,7 @@
 namespace kanexpr::symbolic {
 
 /// Writes an expression for a message, in constant expressions, too: as `print`, but in the order of the
-/// graph, and shortened in the middle.
+/// graph, and shortened in the middle. Only the first `most_nodes` nodes are written.
 class short_text {
 public:
   constexpr short_text(const graph& g, int id) : g_(g) { write(id, sum); }
@@ -23,12 +23,19 @@ public:
   constexpr std::string_view view() const { return text_.view(); }
 
 private:
+  static constexpr int most_nodes = 2000;
+
   /// How tightly the surrounding expression binds.
   enum strength { sum, product, operand };
 
-  constexpr void put(std::string_view text) { text_.append(text); }
+  constexpr void put(std::string_view text) {
+    if (left_ > 0) text_.append(text);
+  }
 
   constexpr void write(int id, strength around) {
+    if (left_ == 1) put("...");
+    if (left_ > 0) --left_;
+    if (left_ == 0) return;
     const node& n = g_[id];
     const strength own = strength_of(id);
     if (own < around) put("(");
@@ -36,7 +43,7 @@ private:
     if (own < around) put(")");
   }
 
-  constexpr strength strength_of(int id) const {
+  constexpr strength strength_of(int id) {
     switch (form_of(g_[id].op)) {
     case form::add:
     case form::subtract:
@@ -75,7 +82,7 @@ private:
     }
   };
 
-  constexpr flat_product product_of(int id) const {
+  constexpr flat_product product_of(int id) {
     flat_product all;
     gather(all, id, 1);
     for (int i = 1; i < all.factors.size(); ++i) // sorts by insertion
@@ -86,9 +93,10 @@ private:
       }
     return all;
   }
-  constexpr void gather(flat_product& all, int id, int exponent) const {
+  constexpr void gather(flat_product& all, int id, int exponent) {
     const node& n = g_[id];
-    if (n.op == operation::multiply || n.op == operation::divide) {
+    if (left_ > 1 && (n.op == operation::multiply || n.op == operation::divide)) {
+      --left_;
       gather(all, n.a, exponent);
       gather(all, n.b, n.op == operation::multiply ? exponent : -exponent);
     } else if (n.op == operation::constant && id != graph::zero) {
@@ -134,7 +142,9 @@ private:
       is_first = false;
       write(f.id, operand);
       if (f.exponent * sign == 1) continue;
-      put("^"), text_.append(f.exponent * sign);
+      base::name exponent;
+      exponent.append(f.exponent * sign);
+      put("^"), put(exponent.view());
     }
   }
 
@@ -179,6 +189,7 @@ private:
   }
 
   const graph& g_;
+  int left_ = most_nodes;
   base::name text_{};
 };
 

@@ -5,6 +5,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/printing/named_parts.hpp>
 
 #include <algorithm>
 #include <compare>
@@ -101,20 +102,33 @@ inline std::strong_ordering compare_names(std::string_view a, std::string_view b
 /// because node numbers depend on the order in which a user's compiler evaluates operands.
 class term_reader {
 public:
-  explicit term_reader(const graph& g) : graph_(g) {}
+  /// Parts with names are factors of their own wherever they occur.
+  explicit term_reader(const graph& g, const named_parts* parts = nullptr) : graph_(g), parts_(parts) {}
+  term_reader(const term_reader&) = delete;
+  term_reader& operator=(const term_reader&) = delete;
 
   /// A node as a nonempty sum; numbers come last, except that a positive term comes first if there is one.
   const std::vector<term>& terms_of(int id) {
+    if (!is_part(id)) return definition_of(id);
+    return references_.try_emplace(id, 1, term{exactly(1), {{id, 1}}}).first->second;
+  }
+
+  /// The same of a part, without its own name.
+  const std::vector<term>& definition_of(int id) {
     const auto known = sums_.find(id);
     return known != sums_.end() ? known->second : sums_.emplace(id, sum_of(id)).first->second;
   }
 
+  bool is_part(int id) const { return parts_ != nullptr && parts_->has(id); }
+
 private:
-  term product_of(int root) {
+  /// `defined` is the part whose definition the product belongs to.
+  term product_of(int root, int defined) {
     constexpr std::int64_t largest_exponent = std::int64_t{1} << 30;
     term product;
     const auto expand = [&](int id, std::int64_t exponent, const auto& put) {
       if (exponent > largest_exponent || exponent < -largest_exponent) return false;
+      if (id != defined && is_part(id)) return false;
       const node& n = graph_[id];
       if (n.op == operation::constant) {
         if (id == graph::zero && exponent < 0) return false;
@@ -139,8 +153,9 @@ private:
   }
 
   std::vector<term> sum_of(int root) {
-    const auto expand = [this](int id, const number& weight, const auto& put) {
+    const auto expand = [this, root](int id, const number& weight, const auto& put) {
       const node& n = graph_[id];
+      if (id != root && is_part(id)) return false;
       if (n.op != operation::add && n.op != operation::subtract && n.op != operation::negate) return false;
       put(n.a, n.op == operation::negate ? -weight : weight);
       if (is_binary(n.op)) put(n.b, n.op == operation::subtract ? -weight : weight);
@@ -148,7 +163,7 @@ private:
     };
     std::map<std::vector<factor>, number> gathered;
     for (const auto& [id, weight] : gather(root, exactly(1), expand)) {
-      const term t = product_of(id);
+      const term t = product_of(id, root);
       number& coefficient = gathered.try_emplace(t.factors, exactly(0)).first->second;
       coefficient = coefficient + t.coefficient * weight;
     }
@@ -185,7 +200,7 @@ private:
       const auto order = compare_names(s.called.view(), t.called.view());
       return order != 0 ? order : s.kind <=> t.kind;
     }
-    if (rank(a) == 4) return compare_all(terms_of(a), terms_of(b), &term_reader::compare_terms);
+    if (rank(a) == 4) return compare_all(definition_of(a), definition_of(b), &term_reader::compare_terms);
     if (x.op != y.op) return x.op <=> y.op;
     if (x.op == operation::call) {
       const auto names =
@@ -216,7 +231,8 @@ private:
   }
 
   const graph& graph_;
-  std::map<int, std::vector<term>> sums_{};
+  const named_parts* parts_;
+  std::map<int, std::vector<term>> sums_{}, references_{};
   std::map<std::pair<int, int>, std::strong_ordering> compared_{};
 };
 
