@@ -7,7 +7,6 @@
 #include <kanexpr/derivation/stages.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
-#include <kanexpr/lower/side_by_side.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -44,23 +43,26 @@ constexpr sentence check_room(std::string_view system, const cause_list<room>& c
                    " have more potential singularities than supported; request them in parts"});
 }
 
+/// With fewer columns of results, steps on vectors save too little.
+inline constexpr int fewest_columns = 12;
+
 /// The nodes of all entries of the results, followed by those of the potential singularities on which they
 /// depend.
 struct needed_nodes {
   sequence<int> nodes{};
-  sequence<int> columns{}; ///< of each result, counted over all results; -1 for the rest
+  sequence<int> columns{}; ///< of each node, counted over all results; -1 for the rest
+  int column_count = 0;
   sequence<mechanics::singularity_check> checks{};
 };
 
 constexpr needed_nodes nodes_for(derived_system& system, std::span<const request> all) {
   needed_nodes found;
-  int columns = 0;
   for (const request& each : all) {
     const symbolic::matrix result = form(each, system.reader(), system.equations());
     for (const expression& entry : result.entries) found.nodes.push(entry.node());
     for (int i = 0; i < result.rows; ++i)
-      for (int j = 0; j < result.columns; ++j) found.columns.push(columns + j);
-    columns += result.columns;
+      for (int j = 0; j < result.columns; ++j) found.columns.push(found.column_count + j);
+    found.column_count += result.columns;
   }
   if (system.mistake()) return found;
   found.checks = system.equations().singularity_checks_of(found.nodes);
@@ -103,8 +105,8 @@ constexpr extracted_code extract_code(derived_system& system, std::string_view c
     code.causes.push(g.cause);
     code.checks_finiteness = g.of_finiteness;
   }
-  const lower::tape tape =
-      lower::with_vector_steps(lower::tape_from(system.graph(), found.nodes), found.columns);
+  lower::tape tape = lower::tape_from(system.graph(), found.nodes);
+  if (found.column_count >= fewest_columns && tape.linear_steps.empty()) tape.columns = found.columns;
   if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return extracted_code(lacking);
   code.tape = lower::fixed(tape);
   return code;

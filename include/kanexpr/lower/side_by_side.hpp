@@ -1,74 +1,108 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::lower {
 
-namespace detail {
+/// The number of steps that form one step on vectors.
+inline constexpr int lanes = 4;
 
-/// Finds steps of several columns of results that may be evaluated as one step on vectors, and makes them
-/// contiguous.
+/// Steps that may be evaluated as one step on vectors. Sums and differences count as one operation.
+struct pack {
+  int slot[lanes]{};
+  int signs = 0; ///< one bit per lane: whether the second operand of a sum or the first one of a product
+                 ///< changes its sign
+};
+
+/// Finds steps of several columns of results that may be evaluated as one step on vectors.
 ///
 /// The columns of a solve with many right sides take the same steps, with the same multipliers. Starting at
 /// the results, steps of `lanes` columns with similar results are matched, then their operands, as long as
-/// the operations are the same and each step serves only its own column; sums and differences count as the
-/// same. Where the operands do not match, vectors are gathered from scalars, which pays for at most one of
-/// two operands. The operations on each number, and thus its bits, do not change.
+/// the operations are the same and each step serves only its own column. Where the operands do not match,
+/// vectors are gathered from scalars, which pays for at most one of two operands. The operations on each
+/// number, and thus its bits, do not change.
 class side_by_side {
-public:
-  constexpr side_by_side(tape&& code, const sequence<int>& columns)
-      : code_(static_cast<tape&&>(code)), columns_(columns), first_(code_.first_step()),
-        free_(first_ + code_.first_angle + 2 * code_.angle_count), owners_(code_.slot_count(), nobody),
-        lane_of_(code_.slot_count(), none), placed_(code_.slot_count(), none), step_(code_.steps.begin()),
-        owner_(owners_.begin()), lane_(lane_of_.begin()), place_(placed_.begin()) {}
-  side_by_side(const side_by_side&) = delete;
-  side_by_side& operator=(const side_by_side&) = delete;
+  static constexpr int none = -1;
 
-  constexpr tape run() {
+public:
+  /// `columns` contains the column of each result, or -1.
+  constexpr side_by_side(const tape_view& code, const view<int>& columns, int first_free)
+      : results_(code.results), columns_(columns), first_(code.first_step()), count_(code.slot_count()),
+        free_(first_free), steps_(code.steps.size()), forms_(count_, other), lane_of_(count_, none),
+        done_(count_, waiting), step_(steps_.begin()), form_(forms_.begin()), lane_(lane_of_.begin()),
+        is_done_(done_.begin()) {
+    for (int i = 0, end = code.steps.size(); i < end; ++i) step_[i] = code.steps[i];
     assign_owners();
     list_columns();
     match_columns();
     for (int i = 0; i < packs_.size(); ++i) match_operands(i);
     for (int i = packs_.size() - 1; i >= 0; --i)
       if (!pays(i)) dissolve(i);
-    if (kept_ < fewest || !order()) return static_cast<tape&&>(code_);
-    return reordered();
+    while (!order()) {
+    }
+    place_signs();
+  }
+  side_by_side(const side_by_side&) = delete;
+  side_by_side& operator=(const side_by_side&) = delete;
+
+  constexpr const sequence<pack>& packs() const { return packs_; }
+  /// The steps in an order in which operands precede. Of a pack, only the first lane is listed; a sine is
+  /// followed by its cosine.
+  constexpr const sequence<int>& order_of_slots() const { return units_; }
+  /// Returns the step of a slot. The operands of sums and products may be exchanged, so that those of all
+  /// lanes match.
+  constexpr const instruction& step_of(int slot) const { return step_[slot - first_]; }
+  /// Returns `lanes` times the index of the pack plus the lane of a slot, or -1.
+  constexpr int lane_of(int slot) const { return lane_[slot]; }
+
+  /// The slots of the first or the second operand of each lane.
+  constexpr pack operands_of(const pack& p, bool second) const {
+    pack found;
+    for (int i = 0; i < lanes; ++i) {
+      const instruction& s = step_[p.slot[i] - first_];
+      found.slot[i] = second ? s.b : s.a;
+    }
+    return found;
+  }
+  /// Returns the index of the pack that consists of these slots, or -1.
+  constexpr int pack_of(const pack& p) const {
+    const int first = lane_[p.slot[0]];
+    if (first % lanes != 0) return none; // also if it is none
+    for (int i = 1; i < lanes; ++i)
+      if (lane_[p.slot[i]] != first + i) return none;
+    return first / lanes;
   }
 
 private:
-  static constexpr int none = -1, nobody = -1, several = -2;
-  static constexpr int fewest = 16; ///< fewer vector steps than these are not worth a second form of the code
+  static constexpr int nobody = -1, several = -2;
+  enum progress : char { waiting, begun, finished };
   enum form : char { other, sum, product, quotient, negative };
   static constexpr int forms = 5;
 
-  struct pack {
-    int slot[lanes]{}; ///< none in the first lane after the pack has been dissolved
-  };
   struct visit {
     int unit, next;
   };
 
-  /// A step whose value serves a single column belongs to it.
+  /// A step whose value serves a single column belongs to it. Only such steps have a form.
   constexpr void assign_owners() {
-    for (int i = 0; i < columns_.size(); ++i)
-      if (columns_[i] != none) add_owner(code_.results[i], columns_[i]);
-    for (int slot = code_.slot_count() - 1; slot >= free_; --slot) {
-      const int who = owner_[slot];
+    sequence<int> owners(count_, nobody);
+    int* const owner = owners.begin();
+    for (int i = 0; i < results_.size(); ++i)
+      if (int& it = owner[results_[i]]; it != columns_[i] || it == none)
+        it = it == nobody && columns_[i] != none ? columns_[i] : several;
+    for (int slot = count_ - 1; slot >= free_; --slot) {
+      const int who = owner[slot];
       if (who == nobody) continue;
       const instruction& s = step_[slot - first_];
-      add_owner(s.a, who);
-      if (symbolic::is_binary(s.op)) add_owner(s.b, who);
+      if (owner[s.a] != who) owner[s.a] = owner[s.a] == nobody ? who : several;
+      if (symbolic::is_binary(s.op) && owner[s.b] != who) owner[s.b] = owner[s.b] == nobody ? who : several;
+      if (who >= 0) form_[slot] = form_of_operation(s.op);
     }
   }
-  constexpr void add_owner(int slot, int who) {
-    if (owner_[slot] != who) owner_[slot] = owner_[slot] == nobody ? who : several;
-  }
-
-  constexpr form form_of(int slot) const {
-    if (slot < free_ || owner_[slot] < 0) return other;
-    const operation op = step_[slot - first_].op;
+  static constexpr form form_of_operation(operation op) {
     if (op == operation::add || op == operation::subtract) return sum;
     if (op == operation::multiply) return product;
     if (op == operation::divide) return quotient;
@@ -77,10 +111,10 @@ private:
 
   /// Describes the step of a result and its operands, if it belongs to its column.
   constexpr int shape_of(int slot) const {
-    const form own = form_of(slot);
+    const form own = form_[slot];
     if (own == other) return 0;
     const instruction& s = step_[slot - first_];
-    const int a = form_of(s.a), b = own == negative ? other : form_of(s.b);
+    const int a = form_[s.a], b = own == negative ? other : form_[s.b];
     return (own * forms + (a < b ? a : b)) * forms + (a < b ? b : a);
   }
 
@@ -92,8 +126,8 @@ private:
     shapes_.resize(count);
     for (int i = 0; i < columns_.size(); ++i) {
       if (columns_[i] == none) continue;
-      entries_[columns_[i]].push(code_.results[i]);
-      shapes_[columns_[i]].push(shape_of(code_.results[i]));
+      entries_[columns_[i]].push(results_[i]);
+      shapes_[columns_[i]].push(shape_of(results_[i]));
     }
   }
 
@@ -108,59 +142,60 @@ private:
     return count;
   }
 
+  /// Joins each column with those that are the most similar among the remaining ones.
   constexpr void match_columns() {
-    sequence<char> taken(entries_.size(), 0);
-    for (int first = 0; first < entries_.size(); ++first) {
+    const int count = entries_.size();
+    sequence<char> taken(count, 0);
+    sequence<int> like(count, 0);
+    for (int first = 0; first < count; ++first) {
       if (taken[first] != 0) continue;
-      taken[first] = 1;
+      for (int each = first + 1; each < count; ++each)
+        like[each] = taken[each] != 0 ? 0 : likeness(first, each);
       int group[lanes]{};
-      for (int& each : group) each = none;
       group[0] = first;
-      for (int lane = 1; lane < lanes; ++lane) {
+      int found = 1;
+      for (; found < lanes; ++found) {
         int best = none, most = 0;
-        for (int each = first + 1; each < entries_.size(); ++each) {
-          if (taken[each] != 0) continue;
-          const int like = likeness(first, each);
-          if (like > most) best = each, most = like;
-        }
-        group[lane] = best;
+        for (int each = first + 1; each < count; ++each)
+          if (like[each] > most) best = each, most = like[each];
         if (best == none) break;
-        taken[best] = 1;
+        group[found] = best;
+        like[best] = 0;
       }
-      if (group[lanes - 1] == none) {
-        for (int lane = 1; lane < lanes && group[lane] != none; ++lane) taken[group[lane]] = 0;
-        continue;
-      }
-      int rows = entries_[first].size();
-      for (int each : group)
-        if (entries_[each].size() < rows) rows = entries_[each].size();
-      for (int row = 0; row < rows; ++row) {
-        pack results;
-        for (int lane = 0; lane < lanes; ++lane) results.slot[lane] = entries_[group[lane]][row];
-        match(results);
-        for (int each : results.slot) start_.push(each);
-      }
+      if (found < lanes) continue;
+      for (int each : group) taken[each] = 1;
+      match_rows(group);
+    }
+  }
+  constexpr void match_rows(const int (&group)[lanes]) {
+    int rows = entries_[group[0]].size();
+    for (int each : group)
+      if (entries_[each].size() < rows) rows = entries_[each].size();
+    for (int row = 0; row < rows; ++row) {
+      pack results;
+      for (int lane = 0; lane < lanes; ++lane) results.slot[lane] = entries_[group[lane]][row];
+      match(results);
+      for (int each : results.slot) start_.push(each);
     }
   }
 
   constexpr void match(const pack& p) {
-    const form own = form_of(p.slot[0]);
+    const form own = form_[p.slot[0]];
     if (own == other) return;
     for (int i = 0; i < lanes; ++i) {
-      if (form_of(p.slot[i]) != own || lane_[p.slot[i]] != none) return;
+      if (form_[p.slot[i]] != own || lane_[p.slot[i]] != none) return;
       for (int j = 0; j < i; ++j)
         if (p.slot[i] == p.slot[j]) return;
     }
     for (int i = 0; i < lanes; ++i) lane_[p.slot[i]] = lanes * packs_.size() + i;
     packs_.push(p);
-    ++kept_;
   }
 
   /// How well two operands fit into one vector.
   constexpr int fit(int one, int two) const {
     if (one == two) return 4;
-    const form own = form_of(one);
-    if (own == other || own != form_of(two)) return 0;
+    const form own = form_[one];
+    if (own == other || own != form_[two]) return 0;
     const instruction &a = step_[one - first_], &b = step_[two - first_];
     return a.a == b.a || a.b == b.b || a.a == b.b || a.b == b.a ? 3 : 1;
   }
@@ -176,7 +211,7 @@ private:
     int model = 0;
     for (int i = lanes - 1; i >= 0; --i)
       if (!commutes(p.slot[i])) model = i;
-    const bool is_binary = form_of(p.slot[0]) != negative;
+    const bool is_binary = form_[p.slot[0]] != negative;
     const instruction& like = step_[p.slot[model] - first_];
     pack a, b;
     for (int i = 0; i < lanes; ++i) {
@@ -196,35 +231,47 @@ private:
 
   /// Whether an operand of a pack must be gathered from scalars.
   constexpr bool is_gathered(const pack& p, bool second) const {
-    int slot[lanes]{};
-    bool same = true;
-    for (int i = 0; i < lanes; ++i) {
-      const instruction& s = step_[p.slot[i] - first_];
-      slot[i] = second ? s.b : s.a;
-      same = same && slot[i] == slot[0];
-    }
-    if (same) return false;
-    const int first = lane_[slot[0]];
-    if (first == none || first % lanes != 0) return true;
-    for (int i = 1; i < lanes; ++i)
-      if (lane_[slot[i]] != first + i) return true;
+    const pack operands = operands_of(p, second);
+    for (int each : operands.slot)
+      if (each != operands.slot[0]) return pack_of(operands) == none;
     return false;
   }
   constexpr bool pays(int index) const {
     const pack& p = packs_[index];
-    return !is_gathered(p, false) || (form_of(p.slot[0]) != negative && !is_gathered(p, true));
+    return !is_gathered(p, false) || (form_[p.slot[0]] != negative && !is_gathered(p, true));
   }
   constexpr void dissolve(int index) {
     for (int each : packs_[index].slot) lane_[each] = none;
     packs_[index].slot[0] = none;
-    --kept_;
+  }
+
+  /// In sums with different signs, changes the sign of one factor rather than that of the product, which
+  /// would have to be rounded before its sign changes.
+  constexpr void place_signs() {
+    sequence<int> uses(count_, 0);
+    for (int each : results_) ++uses[each];
+    for (const instruction& s : steps_) {
+      ++uses[s.a];
+      if (symbolic::is_binary(s.op)) ++uses[s.b];
+    }
+    for (pack& p : packs_) {
+      if (p.slot[0] == none || form_[p.slot[0]] != sum) continue;
+      for (int i = 0; i < lanes; ++i)
+        if (step_[p.slot[i] - first_].op == operation::subtract) p.signs |= 1 << i;
+      if (p.signs == 0 || p.signs == (1 << lanes) - 1) continue;
+      const int operand = pack_of(operands_of(p, true));
+      if (operand == none || form_[packs_[operand].slot[0]] != product) continue;
+      bool is_only_use = true;
+      for (int each : packs_[operand].slot) is_only_use = is_only_use && uses[each] == 1;
+      if (!is_only_use) continue;
+      packs_[operand].signs = p.signs;
+      p.signs = 0;
+    }
   }
 
   /// A unit of the order is a pack, a sine with its cosine, or a step; returns its first slot.
   constexpr int unit_of(int slot) const {
-    if (lane_[slot] != none) return packs_[lane_[slot] / lanes].slot[0];
-    const instruction& s = step_[slot - first_];
-    return s.paired && s.op == operation::cos ? slot - 1 : slot;
+    return lane_[slot] == none ? slot : packs_[lane_[slot] / lanes].slot[0];
   }
   /// Returns operand number `which` of a unit, or none after the last.
   constexpr int operand_of(int unit, int which) const {
@@ -235,82 +282,74 @@ private:
     return which % 2 == 0 || !symbolic::is_binary(s.op) ? s.a : s.b;
   }
 
-  /// Orders the units so that operands precede; returns false if packs depend on each other.
+  /// Orders the units: first the steps that serve several columns, in the order of the tape, then the others
+  /// by the results that need them. If two packs depend on each other, one of them is dissolved and the order
+  /// is not complete.
   constexpr bool order() {
-    for (int slot = 0; slot < free_; ++slot) place_[slot] = slot;
-    next_ = free_;
+    for (char& each : done_) each = waiting;
+    units_.clear();
+    units_.reserve(count_ - free_);
+    for (int slot = 0; slot < count_; ++slot)
+      if (slot < free_ || form_[slot] == other) {
+        is_done_[slot] = finished;
+        if (slot >= free_ && !is_cosine(slot)) units_.push(slot);
+      }
     for (int each : start_)
       if (!put_with_operands(each)) return false;
-    for (int each : code_.results)
+    for (int each : results_)
       if (!put_with_operands(each)) return false;
-    return next_ == code_.slot_count();
+    return true;
+  }
+  /// Whether a step is computed with the one before.
+  constexpr bool is_cosine(int slot) const {
+    const instruction& s = step_[slot - first_];
+    return s.paired && s.op == operation::cos;
   }
   constexpr bool put_with_operands(int result) {
-    constexpr int begun = -2;
-    if (place_[result] >= 0) return true;
-    sequence<visit> path;
-    path.push({unit_of(result), 0});
-    place_[path[0].unit] = begun;
-    while (path.size() > 0) {
-      visit& now = path[path.size() - 1];
+    const int begin = unit_of(result);
+    if (is_done_[begin] != waiting) return true;
+    path_.clear();
+    path_.push({begin, 0});
+    is_done_[begin] = begun;
+    while (path_.size() > 0) {
+      visit& now = path_.back();
       const int operand = operand_of(now.unit, now.next++);
       if (operand == none) {
-        put(now.unit);
-        path.pop();
-      } else if (place_[operand] == none || place_[operand] == begun) {
+        is_done_[now.unit] = finished;
+        units_.push(now.unit);
+        path_.pop();
+      } else if (is_done_[operand] != finished) {
         const int unit = unit_of(operand);
-        if (place_[unit] == begun) return false;
-        place_[unit] = begun;
-        path.push({unit, 0});
+        if (is_done_[unit] == begun) return dissolve_one_behind(unit);
+        if (is_done_[unit] == finished) continue;
+        is_done_[unit] = begun;
+        path_.push({unit, 0});
       }
     }
     return true;
   }
-  constexpr void put(int unit) {
-    if (lane_[unit] != none) {
-      vector_steps_.push(next_ - first_);
-      for (int each : packs_[lane_[unit] / lanes].slot) place_[each] = next_++;
-    } else {
-      place_[unit] = next_++;
-      if (step_[unit - first_].paired) place_[unit + 1] = next_++;
-    }
+  constexpr bool dissolve_one_behind(int unit) {
+    int i = path_.size() - 1;
+    while (path_[i].unit != unit && lane_[path_[i].unit] == none) --i;
+    dissolve(lane_[path_[i].unit] / lanes);
+    return false;
   }
 
-  constexpr tape reordered() {
-    sequence<instruction> steps(code_.steps.size());
-    for (int slot = first_; slot < code_.slot_count(); ++slot) {
-      instruction s = step_[slot - first_];
-      s.a = place_[s.a];
-      if (symbolic::is_binary(s.op)) s.b = place_[s.b];
-      steps[place_[slot] - first_] = s;
-    }
-    code_.steps = static_cast<sequence<instruction>&&>(steps);
-    for (int& each : code_.results) each = place_[each];
-    code_.vector_steps = static_cast<sequence<int>&&>(vector_steps_);
-    return static_cast<tape&&>(code_);
-  }
-
-  tape code_;
-  const sequence<int>& columns_;
-  int first_, free_; ///< the first slot that a step fills, and the first one that may move
-  sequence<int> owners_, lane_of_, placed_;
+  const view<int> results_, columns_;
+  int first_, count_,
+      free_; ///< the first slot that a step fills, their number, and the first one that may move
+  sequence<instruction> steps_;
+  sequence<form> forms_;
+  sequence<int> lane_of_;
+  sequence<char> done_;
   instruction* step_;
-  int* owner_;                                   ///< the column to which each slot belongs
+  form* form_;                                   ///< the form of each step that serves a single column
   int* lane_;                                    ///< the lane of each slot, counted over all packs
-  int* place_;                                   ///< the new slot of each slot
+  char* is_done_;                                ///< the progress of each unit
   sequence<sequence<int>> entries_{}, shapes_{}; ///< of the results, by column
   sequence<pack> packs_{};
-  sequence<int> start_{}, vector_steps_{};
-  int kept_ = 0, next_ = 0;
+  sequence<int> start_{}, units_{};
+  sequence<visit> path_{};
 };
-
-} // namespace detail
-
-/// Moves steps of a tape that may be evaluated as one step on vectors next to each other. `columns` contains
-/// the column of each result, or -1.
-constexpr tape with_vector_steps(tape&& code, const sequence<int>& columns) {
-  if (code.linear_steps.size() > 0 || columns.size() < 8 * lanes) return static_cast<tape&&>(code);
-  return detail::side_by_side(static_cast<tape&&>(code), columns).run();
-}
 
 } // namespace kanexpr::lower

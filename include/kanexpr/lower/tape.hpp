@@ -45,9 +45,6 @@ struct load {
   int position = 0;
 };
 
-/// The number of steps that form one step on vectors.
-inline constexpr int lanes = 4;
-
 /// Straight-line code: the constants, the arguments and the steps, whose values fill the slots in this order.
 /// It contains only the nodes that the outputs need.
 ///
@@ -58,10 +55,10 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
+  sequence<int> columns{}; ///< of each result, or -1; empty if there are few
   sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   sequence<const symbolic::external_function*> externals{};
-  sequence<int> vector_steps{}; ///< the first of each `lanes` steps that form one step on vectors
   int first_angle = 0;
   int angle_count = 0;
 

@@ -14,16 +14,13 @@ namespace kanexpr::lower {
 /// The action of each step that follows the angles of a tape, encoded as one number, so that all steps with
 /// the same action share one function. A step that fills several slots stores its values in scratch memory,
 /// from which each slot takes its value.
-template <class Code, bool with_vectors>
+template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
   /// The actions other than operations and components: a sine with its cosine, and the linear steps from
-  /// `first_linear_step` downward, followed by the steps on vectors.
-  static constexpr int sine_and_cosine = -1, first_linear_step = -2,
-                       first_vector_step = first_linear_step - tape.sizes.linear_steps;
+  /// `first_linear_step` downward.
+  static constexpr int sine_and_cosine = -1, first_linear_step = -2;
   static constexpr int component = static_cast<int>(operation::component);
-  /// A lane of a vector that nothing reads by itself.
-  static constexpr int unread = static_cast<int>(operation::constant);
 
   static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
   int what[steps]{};
@@ -36,13 +33,6 @@ struct step_plan {
                 : tape.op[i] == operation::sin ? sine_and_cosine
                                                : component;
     for (int i = 0; i < tape.sizes.linear_steps; ++i) what[tape.linear_steps[i].step] = first_linear_step - i;
-    if constexpr (with_vectors)
-      for (int i = 0; i < tape.sizes.vector_steps; ++i)
-        for (int lane = 0; lane < lanes; ++lane)
-          what[tape.vector_steps[i] + lane] = lane == 0 ? first_vector_step - i
-                                              : vector_plan<Code>.is_read_alone[tape.vector_steps[i] + lane]
-                                                  ? component
-                                                  : unread;
     for (int i = tape.sizes.first_angle + 2 * tape.sizes.angles; i < tape.sizes.steps; ++i)
       if (uses_aside(what[i])) aside[i] = aside_count++;
   }
@@ -71,12 +61,15 @@ public:
 
   template <int index>
   [[gnu::always_inline]] const Number& result() const noexcept {
-    return result_[index];
+    if constexpr (with_vectors)
+      return result_[steps_on_vectors<Code, Number>::place_of(index)];
+    else
+      return result_[index];
   }
 
 private:
-  static constexpr bool with_vectors = tape.sizes.vector_steps > 0 && has_vectors<Number>;
-  static constexpr step_plan<Code, with_vectors> plan{};
+  static constexpr step_plan<Code> plan{};
+  static constexpr bool with_vectors = uses_vectors<Code, Number>();
   static constexpr int first = tape.first_step(), first_angle = tape.sizes.first_angle,
                        angles = tape.sizes.angles, behind = first_angle + 2 * angles;
 
@@ -109,19 +102,11 @@ private:
       const Number all[]{given[a(first_angle + 2 * angle)]...};
       scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
-    [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
     if constexpr (with_vectors) {
-      vector_of<Number> vectors[at_least_one(tape.sizes.vector_steps)];
-      const Number slot[at_least_one(tape.slot_count())]{
-          given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-          take_with_vectors<plan.what[behind + after]>(
-              slot[a(behind + after)], slot[b(behind + after)],
-              plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
-              plan.what[behind + after] < 0 ? slot : nullptr,
-              plan.what[behind + after] <= plan.first_vector_step ? vectors : nullptr)...};
-      const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
-      static_cast<void>(order);
+      const Number before_steps[]{given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...};
+      steps_on_vectors<Code, Number>::run(before_steps, result_);
     } else {
+      [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
       [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
           given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
           take<plan.what[behind + after]>(
@@ -149,20 +134,6 @@ private:
       else if constexpr (what < 0)
         eliminate<plan.first_linear_step - what>(aside, slot);
       return *aside;
-    }
-  }
-
-  template <int what>
-  [[gnu::always_inline]] static Number
-  take_with_vectors(operand a, operand b, Number* aside, const Number* slot,
-                    [[maybe_unused]] vector_of<Number>* vectors) noexcept {
-    if constexpr (what <= plan.first_vector_step) {
-      vector_step<Code, Number>::template evaluate<plan.first_vector_step - what>(slot, vectors, aside);
-      return *aside;
-    } else if constexpr (what == plan.unread) {
-      return Number{};
-    } else {
-      return take<what>(a, b, aside, slot);
     }
   }
 
@@ -201,7 +172,14 @@ private:
     static_cast<void>(order);
   }
 
-  Number result_[tape.sizes.results > 0 ? tape.sizes.results : 1];
+  static consteval std::size_t places() {
+    if constexpr (with_vectors)
+      return at_least_one(steps_on_vectors<Code, Number>::places);
+    else
+      return at_least_one(tape.sizes.results);
+  }
+
+  Number result_[places()];
 };
 
 } // namespace kanexpr::lower
