@@ -116,7 +116,7 @@ private:
     now_.take(16 * static_cast<int>(r.solved_by) + static_cast<int>(r.speeds));
     for (const describe::frame_formulation_record& each : r.frames) {
       mention(each.frame), mention(each.axes);
-      now_.take(each.about_the_center);
+      now_.take(each.about_the_center ? 1 : 0);
     }
     const symbolic::operation_weights& w = r.weights;
     for (int each : {w.multiplication, w.addition, w.fused, w.division, w.square_root, w.trigonometric, w.other})
