@@ -9,7 +9,9 @@
 #include <kanexpr/symbolic/operation_weights.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr {
@@ -48,6 +50,8 @@ struct explain_options {
   /// Whether the axes and reference points of each body are varied one after another until the cost falls no
   /// further.
   bool searches = true;
+  /// Whether the axes of a frame may be used, by its name; by default, those of all frames.
+  std::function<bool(std::string_view)> may_use{};
 };
 
 namespace runtime {

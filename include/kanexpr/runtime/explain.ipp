@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace kanexpr::runtime {
@@ -70,7 +69,7 @@ private:
     for (const mechanics::frame& f : m.frames) frames_.emplace_back(f.called.view());
     for (const mechanics::expression& u : m.speeds) speeds_.emplace_back(m.g->symbol_at(u.node()).called.view());
     dependent_ = e.speeds().dependent;
-    axes_.emplace(s);
+    bodies_ = axes_of_system(s, options_.may_use).bodies;
     if (m.derived_by == mechanics::method::lagrange)
       no_tree_ = "its equations are derived by Lagrange's method";
     else if (!dependent_.empty())
@@ -84,13 +83,13 @@ private:
 
   mechanics::formulation in_axes(int axes_of_system::body::*axes) const {
     mechanics::formulation form;
-    for (const axes_of_system::body& b : axes_->bodies)
+    for (const axes_of_system::body& b : bodies_)
       form.entry(b.frame).axes = axes == nullptr ? mechanics::mechanism::inertial : b.*axes;
     return form;
   }
   mechanics::formulation about_centers() const {
     mechanics::formulation form;
-    for (const axes_of_system::body& b : axes_->bodies)
+    for (const axes_of_system::body& b : bodies_)
       if (b.has_mass) form.entry(b.frame).about_the_center = true;
     return form;
   }
@@ -109,11 +108,11 @@ private:
   }
 
   void search() {
-    if (axes_->bodies.empty()) {
+    if (bodies_.empty()) {
       found_.candidates.push_back({.called = "axes and points by search", .cause = "no body rotates"});
       return;
     }
-    formulation_search from(form_, *axes_, options_.weights);
+    formulation_search from(form_, bodies_, options_.weights);
     for (const auto speeds : {mechanics::internal_speeds::given, mechanics::internal_speeds::absolute}) {
       const bool is_absolute = speeds == mechanics::internal_speeds::absolute;
       if (is_absolute && !no_absolute_.empty()) continue;
@@ -150,8 +149,9 @@ private:
       c.called = c.word;
       others.push_back(c);
     });
-    std::stable_sort(others.begin(), others.end(),
-                     [](const auto& a, const auto& b) { return a.weighted < b.weighted; });
+    std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
+      return a.weighted != b.weighted ? a.weighted < b.weighted : a.word < b.word;
+    });
     others.resize((std::min)(others.size(), most_shown));
     for (const formulation_candidate& c : others) found_.candidates.push_back(c);
     if (tried > most_tried)
@@ -197,7 +197,7 @@ private:
   explanation found_{};
   std::vector<std::string> frames_{}, speeds_{};
   sequence<int> dependent_{};
-  std::optional<axes_of_system> axes_{};
+  std::vector<axes_of_system::body> bodies_{};
   std::string no_tree_{}, no_absolute_{}; ///< why the equations are not those of a tree, or of a planar one
 };
 

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,51 +38,55 @@ struct axes_of_system {
     sequence<int> axes{};              ///< all that are tried
     bool has_mass = false;
   };
+  using usable_frames = std::function<bool(std::string_view)>;
+
   std::vector<body> bodies{};
 
-  explicit axes_of_system(const mechanics::skeleton& s) {
-    const mechanics::mechanism& m = *s.model;
-    for (int f = 1; f < m.frames.size(); ++f) {
-      if (s.rigid_with[f] != f || is_flexible(s, f)) continue;
-      const int named = nameable(s, f);
-      if (named < 0) continue;
-      body b{named, s.body_axes[f], s.body_axes[s.turns_in[f]], {}, false};
-      b.axes.push(mechanics::mechanism::inertial);
-      const int below = s.turns_in[f], farther = below == 0 ? 0 : s.turns_in[below];
-      for (int g = 1; g < m.frames.size(); ++g) {
-        const int moves = s.rigid_with[g];
-        const bool is_near = moves != 0 && (moves == f || moves == below || moves == farther);
-        if (is_near && is_nameable(m, g)) b.axes.push(g);
-      }
-      for (const mechanics::link& l : s.links) b.has_mass = b.has_mass || l.frame == f;
-      bodies.push_back(b);
-    }
+  axes_of_system(const mechanics::skeleton& s, const usable_frames& may_use) : s_(s), may_use_(may_use) {
+    for (int f = 1; f < s.model->frames.size(); ++f)
+      if (s.rigid_with[f] == f && !is_flexible(f)) add(f);
   }
 
 private:
-  /// Frames that a joint or a sequence of rotations adds have no name in the model.
-  static bool is_nameable(const mechanics::mechanism& m, int f) {
-    return m.frames[f].called.view().find('\'') == std::string_view::npos;
+  void add(int f) {
+    const int below = s_.turns_in[f], farther = below == 0 ? 0 : s_.turns_in[below];
+    body b{-1, usable(s_.body_axes[f]), usable(s_.body_axes[below]), {mechanics::mechanism::inertial}, false};
+    for (int g = 1; g < s_.model->frames.size(); ++g) {
+      if (!is_usable(g)) continue;
+      const int moves = s_.rigid_with[g];
+      if (b.frame < 0 && moves == f) b.frame = g;
+      const bool is_near = moves == f || moves == below || moves == farther || s_.turns_in[moves] == f;
+      if (moves != mechanics::mechanism::inertial && is_near) b.axes.push(g);
+    }
+    if (b.frame < 0) return;
+    for (const mechanics::link& l : s_.links) b.has_mass = b.has_mass || l.frame == f;
+    bodies.push_back(b);
   }
-  /// A frame with a name that moves with frame `f`, or -1.
-  static int nameable(const mechanics::skeleton& s, int f) {
-    for (int g = f; g < s.model->frames.size(); ++g)
-      if (s.rigid_with[g] == f && is_nameable(*s.model, g)) return g;
-    return -1;
+
+  /// Frames that joints and sequences of rotations add cannot be named in a model.
+  bool is_usable(int f) const {
+    const std::string_view called = s_.model->frames[f].called.view();
+    return called.find('\'') == std::string_view::npos && (!may_use_ || may_use_(called));
   }
-  static bool is_flexible(const mechanics::skeleton& s, int f) {
-    for (const mechanics::flexible_part& p : s.flexible_parts)
+  /// A frame, or -1 if its axes cannot be used.
+  int usable(int f) const { return f == mechanics::mechanism::inertial || is_usable(f) ? f : -1; }
+  bool is_flexible(int f) const {
+    for (const mechanics::flexible_part& p : s_.flexible_parts)
       if (p.frame == f) return true;
     return false;
   }
+
+  const mechanics::skeleton& s_;
+  const usable_frames& may_use_;
 };
 
 /// Varies the axes and the reference point of one body after another as long as the cost falls (a local
 /// search; it finds no form that needs two changes at once).
 class formulation_search {
 public:
-  formulation_search(const forming& form, const axes_of_system& axes, const operation_weights& by)
-      : form_(form), axes_(axes), by_(by) {}
+  formulation_search(const forming& form, const std::vector<axes_of_system::body>& bodies,
+                     const symbolic::operation_weights& by)
+      : form_(form), bodies_(bodies), by_(by) {}
 
   /// Searches from several forms, all with the solution and the speeds of the given one.
   mechanics::formulation cheapest_from(const mechanics::formulation& given) {
@@ -92,14 +97,14 @@ public:
       const long long cost = descend(now);
       if (cost < least) best = now, least = cost;
     }
-    return without_effect_removed(best, least);
+    return without_idle_choices(best, least);
   }
 
 private:
   enum class start { given, own, below, ground };
 
   mechanics::formulation started(mechanics::formulation form, start from) const {
-    for (const axes_of_system::body& b : axes_.bodies) {
+    for (const axes_of_system::body& b : bodies_) {
       if (from == start::own) form.entry(b.frame).axes = b.own;
       if (from == start::below) form.entry(b.frame).axes = b.below;
       if (from == start::ground) form.entry(b.frame).axes = mechanics::mechanism::inertial;
@@ -111,7 +116,7 @@ private:
     long long least = cost_of(form);
     for (bool falls = true; falls;) {
       falls = false;
-      for (const axes_of_system::body& b : axes_.bodies) {
+      for (const axes_of_system::body& b : bodies_) {
         falls = vary(form, b.frame, b.axes, least) || falls;
         if (!b.has_mass) continue;
         mechanics::formulation other = form;
@@ -132,7 +137,7 @@ private:
   }
 
   /// Leaves to the library what does not change the cost.
-  mechanics::formulation without_effect_removed(mechanics::formulation form, long long least) {
+  mechanics::formulation without_idle_choices(mechanics::formulation form, long long least) {
     for (int i = form.frames.size() - 1; i >= 0; --i) {
       mechanics::formulation other = form;
       other.frames[i].axes = -1;
@@ -152,8 +157,8 @@ private:
   }
 
   const forming& form_;
-  const axes_of_system& axes_;
-  const operation_weights by_;
+  const std::vector<axes_of_system::body>& bodies_;
+  const symbolic::operation_weights by_;
 };
 
 } // namespace kanexpr::runtime
