@@ -28,6 +28,7 @@ struct formulation_record {
   mechanics::internal_speeds speeds = mechanics::internal_speeds::given;
   listing<frame_formulation_record> frames{};
   operation_weights weights{};
+  std::string_view stranger{}; ///< a type in the list that is no part of a formulation
 };
 
 /// A part of `formulation<...>`.
@@ -36,11 +37,26 @@ struct formulation_parts {
   static constexpr void add_to(formulation_record&) {}
 };
 
+template <class Part>
+inline constexpr frame_formulation_record frame_formulation_of = [] {
+  frame_formulation_record of_no_frame;
+  if constexpr (std::derived_from<Part, formulation_parts>) return Part::of_frame;
+  return of_no_frame;
+}();
+
+template <class Part>
+constexpr void add_part(formulation_record& r) {
+  if constexpr (std::derived_from<Part, formulation_parts>)
+    Part::add_to(r);
+  else
+    r.stranger = type_name<Part>();
+}
+
 template <class... Parts>
 inline constexpr formulation_record formulation_of = [] {
   formulation_record r;
-  (Parts::add_to(r), ...);
-  r.frames = list_of<frame_formulation_record, &Parts::of_frame...>::all;
+  (add_part<Parts>(r), ...);
+  r.frames = list_of<frame_formulation_record, &frame_formulation_of<Parts>...>::all;
   return r;
 }();
 
@@ -50,7 +66,7 @@ inline constexpr formulation_record formulation_of = [] {
 /// `formulation<written_in<Arm, Shoulder>, by_elimination>`. The motion does not depend on it, but the number
 /// of operations does; `explain` finds the cheapest form. Without this word, the library chooses by rules,
 /// and counts only where it is cheap to do so.
-template <std::derived_from<describe::formulation_parts>... Parts>
+template <class... Parts>
 struct formulation : describe::system_words {
   static constexpr std::string_view word = "formulation";
   static constexpr void add_to(describe::system_record& r) {

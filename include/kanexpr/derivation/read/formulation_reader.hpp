@@ -9,6 +9,10 @@ namespace kanexpr::derivation {
 
 /// Reads how the equations of a system are formed. Requires that its entities were read.
 constexpr void read_formulation(const describe::formulation_record& from, reading& all, entity_reader& read) {
+  if (!from.stranger.empty())
+    return all.fail({short_name(from.stranger).view(), " is not a part of formulation<...>; it takes ",
+                     "written_in<frame, axes>, about_mass_center<frame>, by_elimination, ",
+                     "by_articulated_bodies, in_absolute_speeds and weighted_by<weights>"});
   mechanics::formulation& into = all.into.mechanism.formulated;
   into.solved_by = from.solved_by;
   into.speeds = from.speeds;
