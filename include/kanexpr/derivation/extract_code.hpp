@@ -43,8 +43,8 @@ constexpr sentence check_room(std::string_view system, const cause_list<room>& c
                    " have more potential singularities than supported; request them in parts"});
 }
 
-/// With fewer columns of results, steps on vectors save too little.
-inline constexpr int fewest_columns = 12;
+/// With fewer columns of results, steps on vectors save less time than finding them costs the compiler.
+inline constexpr int fewest_columns = 24;
 
 /// The nodes of all entries of the results, followed by those of the potential singularities on which they
 /// depend.

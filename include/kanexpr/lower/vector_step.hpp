@@ -21,6 +21,10 @@ inline constexpr bool has_vectors =
     false;
 #endif
 
+/// The number of actions in a piece of a list that is longer than five pieces; it may be specialized.
+template <class Code>
+inline constexpr int actions_per_piece = 1500;
+
 /// What is done one after another where steps on vectors take part in a tape. Each action computes one value
 /// from one or two of those before: a number, which is the first lane of a vector, or a vector.
 ///
@@ -29,7 +33,7 @@ inline constexpr bool has_vectors =
 template <class Code>
 class vector_plan {
   static constexpr const auto& tape = Code::tape;
-  static constexpr int none = -1, longest_uncut = 8000, piece_length = 1500;
+  static constexpr int none = -1, piece_length = actions_per_piece<Code>;
 
 public:
   static constexpr int known = tape.first_step() + tape.sizes.first_angle + 2 * tape.sizes.angles;
@@ -62,7 +66,7 @@ public:
 
   constexpr vector_plan() {
     list_actions();
-    const int length = count > longest_uncut ? piece_length : count;
+    const int length = count > 5 * piece_length ? piece_length : count;
     for (int next = 0; next < count; next += length) first[pieces++] = next;
     first[pieces] = count;
     if (pieces > 1) place_values();
