@@ -21,12 +21,8 @@ consteval int member_count() {
     return static_cast<int>(sizeof...(Members));
 }
 
-} // namespace detail
-
-/// @internal Calls `visit` with each member of an aggregate, in declaration order. At most 14 members are
-/// supported.
 template <class Whole, class Visit>
-constexpr void for_each_member(Whole& whole, Visit&& visit) {
+constexpr void for_each_bound_member(Whole& whole, Visit& visit) {
   constexpr int count = detail::member_count<std::remove_const_t<Whole>>();
   static_assert(count > 0 && count <= 14);
   const auto each = [&](auto&... member) { (visit(member), ...); };
@@ -73,6 +69,18 @@ constexpr void for_each_member(Whole& whole, Visit&& visit) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = whole;
     each(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
   }
+}
+
+} // namespace detail
+
+/// @internal Calls `visit` with the members that the class lists in `each_member`, or else with each member
+/// of an aggregate, in declaration order. At most 14 members of an aggregate are supported.
+template <class Whole, class Visit>
+constexpr void for_each_member(Whole& whole, Visit&& visit) {
+  if constexpr (requires { Whole::each_member(whole, visit); })
+    Whole::each_member(whole, visit);
+  else
+    detail::for_each_bound_member(whole, visit);
 }
 
 } // namespace kanexpr

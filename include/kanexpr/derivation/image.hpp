@@ -80,8 +80,6 @@ public:
   constexpr void operator()(Part& part) {
     if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
       transfer(part);
-    else if constexpr (requires { Part::each_member(part, *this); })
-      Part::each_member(part, *this);
     else
       for_each_member(part, *this);
   }

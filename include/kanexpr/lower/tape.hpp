@@ -252,6 +252,34 @@ constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
   return tape_from(own, outputs);
 }
 
+namespace detail {
+
+/// The number of sums that can be evaluated together with a product that nothing else uses.
+constexpr int fused_sums(const tape& t) {
+  sequence<int> uses(t.slot_count(), 0);
+  int* const use = uses.begin(); // compilers interpret every call
+  const instruction *const step = t.steps.begin(), *const end = t.steps.end();
+  for (const instruction* s = step; s != end; ++s) {
+    if (s->op >= operation::component) continue; // lists its operands elsewhere
+    ++use[s->a];
+    if (symbolic::is_binary(s->op)) ++use[s->b];
+  }
+  for (int slot : t.operands) ++use[slot];
+  for (int slot : t.results) ++use[slot];
+  const int first = t.first_step();
+  const auto is_single_product = [&](int slot) {
+    return slot >= first && step[slot - first].op == operation::multiply && use[slot] == 1;
+  };
+  int fused = 0;
+  for (const instruction* s = step; s != end; ++s)
+    if ((s->op == operation::add || s->op == operation::subtract) &&
+        (is_single_product(s->a) || is_single_product(s->b)))
+      ++fused;
+  return fused;
+}
+
+} // namespace detail
+
 /// Returns the cost of one evaluation of a tape.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
@@ -272,6 +300,7 @@ constexpr symbolic::cost cost_of(const tape& t) {
   }
   for (int op = 0; op < static_cast<int>(operation::component); ++op)
     total.count(static_cast<operation>(op), times[op]);
+  total.fused += detail::fused_sums(t);
   return total;
 }
 

@@ -27,8 +27,6 @@ public:
   void operator()(Part& part) const {
     if constexpr (std::is_scalar_v<Part>)
       return;
-    else if constexpr (requires { Part::each_member(part, *this); })
-      Part::each_member(part, *this);
     else
       for_each_member(part, *this);
   }

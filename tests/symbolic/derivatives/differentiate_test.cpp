@@ -172,6 +172,31 @@ TEST_F(differentiate_each, output_of_an_accumulation) {
   EXPECT_EQ(both.by(y), number(0));
 }
 
+TEST_F(differentiate_each, output_with_a_part_held) {
+  const expression held = x * y, other = held * a + x;
+  accumulation back(g, {other});
+  back.hold(held);
+  back.seed(other, number(1));
+  back.run();
+  EXPECT_EQ(back.by(x), number(1));
+  EXPECT_EQ(back.by(a), held);
+  EXPECT_EQ(back.by(y), number(0));
+}
+
+TEST_F(differentiate_each, symbol_in_the_mode_that_visits_fewer_operations) {
+  // x enters at the beginning of all outputs, y only at the end of one
+  const expression start = sin(exp(x * a) + z), first = start * b * y, second = start * a, third = start * z;
+  const sequence<int> outputs = nodes_of(sequence<expression>{first, second, third});
+  const jacobian_modes modes(g, outputs, {x, a, b, z, y}, {});
+  EXPECT_TRUE(modes.is_forward(0));
+  EXPECT_LE(modes.by_both(), modes.by_forward());
+  const jacobian_modes gradient(g, nodes_of(sequence<expression>{first}), {x, a, b, z, y}, {});
+  EXPECT_LT(gradient.by_both(), gradient.by_forward());
+  for (int j = 0; j < 4; ++j) EXPECT_FALSE(gradient.is_forward(j)) << j;
+  const jacobian_modes without(g, outputs, {x, a, b, z, y}, {start});
+  EXPECT_LT(without.by_forward(), modes.by_forward());
+}
+
 TEST_F(total_time_derivative, follows_every_rate) {
   differentiation d(g);
   d.set_rate(q1, q1_rate);

@@ -70,8 +70,6 @@ public:
   constexpr void operator()(Part& part) {
     if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
       integer(part);
-    else if constexpr (requires { Part::each_member(part, *this); })
-      Part::each_member(part, *this);
     else
       for_each_member(part, *this);
   }
