@@ -1,3 +1,4 @@
+// builds: clang++
 // State variables: docs/guide/state-variables.md.
 #include "docs/no_mistake.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // A program may use names of this library together with those of SUNDIALS.
 #include <kanexpr/kanexpr.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Flexible bodies whose integrals are sums over particles, compared with models of the same particles.
 #include "numbers_of.hpp"
 
