@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The length of a pathway and the forces of loads as expressions: results, parts of other loads and of
 // constraints.
 #include <kanexpr/contact.hpp>

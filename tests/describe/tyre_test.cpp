@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The words of tyres, compared with a builder. The systems are derived at run time; their power is in
 // mechanics/loads/elements_test.cpp.
 #include <kanexpr/joints.hpp>

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Contact and friction: docs/guide/contact.md.
 #include "docs/no_mistake.hpp"
 

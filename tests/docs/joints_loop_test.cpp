@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A closed loop of joints: docs/guide/joints.md.
 #include "docs/joints_loop.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Muscles: docs/guide/muscles.md.
 #include "docs/no_mistake.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // State variables: docs/guide/state-variables.md.
 #include "docs/no_mistake.hpp"
 

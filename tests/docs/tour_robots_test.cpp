@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Joints and robots in docs/tour.md.
 #include <iiwa_robot.hpp>
 

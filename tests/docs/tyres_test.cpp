@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Tyres: docs/guide/tyres.md.
 #include "docs/no_mistake.hpp"
 

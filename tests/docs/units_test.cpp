@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Units: docs/guide/units.md.
 #include "docs/no_mistake.hpp"
 #include "docs/printed.hpp"

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Wheels on the ground: docs/guide/wheels.md.
 #include "docs/no_mistake.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Run-time models of robots, compared with results of Pinocchio at random states.
 #include "robots/files.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A cart that balances a pendulum by state feedback, designed with the linearized equations.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>

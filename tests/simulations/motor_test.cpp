@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A motor drives a four-bar linkage, whose loop stays closed.
 #include <motion/four_bar.hpp>
 

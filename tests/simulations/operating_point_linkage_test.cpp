@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A four-bar linkage that is held by a motor: more equations than unknowns, but consistent ones.
 #include "models/four_bar.hpp"
 

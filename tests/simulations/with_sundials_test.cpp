@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A program may use names of this library together with those of SUNDIALS.
 #include <kanexpr/kanexpr.hpp>
 

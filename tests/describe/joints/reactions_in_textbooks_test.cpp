@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Joint reactions, compared with textbook formulas.
 #include "describe/joints/by_hand.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Flexible bodies whose integrals are sums over particles, compared with models of the same particles.
 #include "numbers_of.hpp"
 
