@@ -138,8 +138,9 @@ private:
          std::integer_sequence<int, after...>) noexcept {
     const Number given[at_least_one(first + first_angle)]{
         number_as<Number>(tape.numbers[number])..., memory[position(load)]...,
-        kept<is_kept(before)>(take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr),
-                              memory + place(before))...};
+        kept<Code::to.is_kept[before]>(
+            take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr),
+            memory + place(before))...};
     [[maybe_unused]] Number sine[at_least_one(angles)], cosine[at_least_one(angles)];
     if constexpr (angles > 0) {
       const Number all[]{given[a(first_angle + 2 * angle)]...};
@@ -148,9 +149,9 @@ private:
     [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
     [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
         given[known]...,
-        kept<is_kept(first_angle + turned)>((turned % 2 == 0 ? sine : cosine)[turned / 2],
-                                            memory + place(first_angle + turned))...,
-        kept<is_kept(behind + after)>(
+        kept<Code::to.is_kept[first_angle + turned]>((turned % 2 == 0 ? sine : cosine)[turned / 2],
+                                                     memory + place(first_angle + turned))...,
+        kept<Code::to.is_kept[behind + after]>(
             take<plan.what[behind + after]>(
                 slot[a(behind + after)], slot[b(behind + after)],
                 plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
@@ -159,8 +160,7 @@ private:
   }
 
   static consteval int position(int load) { return tape.loads[load].position; }
-  static consteval bool is_kept(int step) { return Code::place_of(step) >= 0; }
-  static consteval int place(int step) { return is_kept(step) ? Code::place_of(step) : 0; }
+  static consteval int place(int step) { return Code::to.place[step]; }
 
   /// Returns the value of a step, and stores it if other pieces use it.
   template <bool is_stored>
