@@ -253,7 +253,7 @@ private:
   template <class Number, int first, int columns, class Done, class Matrix, int... index>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
-    if constexpr (lower::is_cut_for<code, Number>) {
+    if constexpr (lower::is_cut<code, Number>) {
       for (int i = 0; i < static_cast<int>(sizeof...(index)); ++i)
         m(i / columns, i % columns) = done.result_at(first + i);
     } else {
