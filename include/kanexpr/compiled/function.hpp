@@ -195,8 +195,8 @@ private:
   static constexpr int checks = code::causes.sizes.count;
   static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
-  template <bool with_statuses, class Number>
-  [[gnu::always_inline]] static auto collect_from(const lower::evaluated_tape<code, Number>& done) noexcept {
+  template <bool with_statuses, class Number, class Done>
+  [[gnu::always_inline]] static auto collect_from(const Done& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
       return with_status_of<with_statuses, Number>(done, collect<Number, 0, wanted...>(done));
     } else {
@@ -205,9 +205,8 @@ private:
   }
 
   /// Returns a result without a status if it requires no solve and no status is requested.
-  template <bool with_statuses, class Number, class Result>
-  [[gnu::always_inline]] static auto with_status_of(const lower::evaluated_tape<code, Number>& done,
-                                                    const Result& result) noexcept {
+  template <bool with_statuses, class Number, class Done, class Result>
+  [[gnu::always_inline]] static auto with_status_of(const Done& done, const Result& result) noexcept {
     if constexpr (checks == 0 && !with_statuses)
       return result;
     else
@@ -215,8 +214,8 @@ private:
   }
 
   /// Reports the first cause, because later ones may be its consequences.
-  template <class Number, int... index>
-  [[gnu::always_inline]] static status status_of(const lower::evaluated_tape<code, Number>& done,
+  template <class Number, class Done, int... index>
+  [[gnu::always_inline]] static status status_of(const Done& done,
                                                  std::integer_sequence<int, index...>) noexcept {
     if constexpr (checks == 0) {
       return {};
@@ -230,16 +229,16 @@ private:
     }
   }
 
-  template <class Number, int index>
-  [[gnu::always_inline]] static bool passes(const lower::evaluated_tape<code, Number>& done) noexcept {
+  template <class Number, int index, class Done>
+  [[gnu::always_inline]] static bool passes(const Done& done) noexcept {
     constexpr bool of_finiteness = code::checks_finiteness && index == checks - 1;
     return lower::passes<of_finiteness, Number>(done.template result<first_check + 2 * index>(),
                                                 done.template result<first_check + 2 * index + 1>(),
                                                 base::least_singularity_measure<Number>());
   }
 
-  template <class Number, int first, auto one>
-  [[gnu::always_inline]] static auto collect(const lower::evaluated_tape<code, Number>& done) noexcept {
+  template <class Number, int first, auto one, class Done>
+  [[gnu::always_inline]] static auto collect(const Done& done) noexcept {
     constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return Number(done.template result<first>());
@@ -251,10 +250,10 @@ private:
   }
 
   // a separate function, not a lambda: compilers do not inline lambdas here, and the slots stay in memory
-  template <class Number, int first, int columns, class Matrix, int... index>
-  [[gnu::always_inline]] static void fill(const lower::evaluated_tape<code, Number>& done, Matrix& m,
+  template <class Number, int first, int columns, class Done, class Matrix, int... index>
+  [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
-    if constexpr (lower::is_cut<code>) {
+    if constexpr (lower::is_cut<code, Number>) {
       for (int i = 0; i < static_cast<int>(sizeof...(index)); ++i)
         m(i / columns, i % columns) = done.result_at(first + i);
     } else {
@@ -272,9 +271,8 @@ private:
   }
 
   /// Writes in place, because results as large as the derivatives of an arm should not be copied.
-  template <bool with_statuses, class Number, std::size_t... index>
-  [[gnu::always_inline]] static auto collect_all(const lower::evaluated_tape<code, Number>& done,
-                                                 std::index_sequence<index...>) noexcept {
+  template <bool with_statuses, class Number, class Done, std::size_t... index>
+  [[gnu::always_inline]] static auto collect_all(const Done& done, std::index_sequence<index...>) noexcept {
     std::tuple<decltype(with_status_of<with_statuses, Number>(
         done, collect<Number, first_of(index), wanted>(done)))...>
         all;
@@ -282,9 +280,8 @@ private:
     return all;
   }
 
-  template <int first, auto one, class Number, class Result>
-  [[gnu::always_inline]] static void put(const lower::evaluated_tape<code, Number>& done,
-                                         Result& into) noexcept {
+  template <int first, auto one, class Number, class Done, class Result>
+  [[gnu::always_inline]] static void put(const Done& done, Result& into) noexcept {
     constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (requires { into.status; })
       into.status = status_of<Number>(done, std::make_integer_sequence<int, checks>{});

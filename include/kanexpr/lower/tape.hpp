@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
@@ -55,6 +56,7 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
+  sequence<int> columns{}; ///< of each result, or -1; empty if there are few
   sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   sequence<const symbolic::external_function*> externals{};
@@ -140,7 +142,7 @@ private:
   /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
     // whether a node does not depend on any function: sums and products of arguments
-    sequence<char> is_free(slots_.size(), 0);
+    base::zeros<char> is_free(slots_.size());
     char* const free = is_free.begin();
     sequence<int> gathered;
     for (int id : nodes_in_order_) {

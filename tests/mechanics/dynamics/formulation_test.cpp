@@ -1,3 +1,4 @@
+// builds: clang++
 // The form of u̇, chosen by the number of its operations. Operations are counted, not timed.
 #include "mechanics/workbench.hpp"
 

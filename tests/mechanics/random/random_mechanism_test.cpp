@@ -1,3 +1,4 @@
+// builds: clang++
 #include "build_recipe.hpp"
 #include "newton_euler_dynamics.hpp"
 #include "random_mechanism.hpp"
