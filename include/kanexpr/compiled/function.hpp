@@ -254,8 +254,8 @@ private:
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
     if constexpr (lower::is_cut<code>) {
-      for (int i = 0; i < static_cast<int>(sizeof...(index)); ++i)
-        m(i / columns, i % columns) = done.result_at(first + i);
+      for (int i = 0, next = first; i < static_cast<int>(sizeof...(index)) / columns; ++i)
+        for (int j = 0; j < columns; ++j) m(i, j) = done.result_at(next++);
     } else {
       const int order[]{0,
                         (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
