@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/animate/picture.hpp>
 #include <models/simple_pendulum.hpp>
 

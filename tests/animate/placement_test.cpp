@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/animate/camera.hpp>
 
 #include <gtest/gtest.h>

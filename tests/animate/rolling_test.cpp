@@ -1,3 +1,4 @@
+// builds: clang++
 #include "animate/disc_on_a_circle.hpp"
 
 #include <kanexpr/animate/animated.hpp>

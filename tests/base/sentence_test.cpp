@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/ensembles/ensemble_results.hpp>

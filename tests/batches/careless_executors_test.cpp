@@ -1,3 +1,4 @@
+// builds: clang++
 // An executor may omit chunks, run them again, and throw.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/fixed_step.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Discrete forms compared with 60-digit results. references.py reports the errors of SciPy.
 // builds: clang++ sanitize
 #include "control/matrices.hpp"

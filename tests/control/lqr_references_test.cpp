@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Linear-quadratic regulators compared with those of SciPy, refined to full accuracy. references.py reports
 // the errors of SciPy.
 // builds: clang++ sanitize

@@ -1,4 +1,4 @@
-// builds: all
+// builds: clang++ all
 // Beams from words: the same systems as those from a builder.
 #include "systems/beams.hpp"
 

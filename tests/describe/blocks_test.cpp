@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Filters, delays, controllers, muscle activations and DC motors of models, compared with their equations and
 // with closed forms.
 #include <kanexpr/blocks.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The words of contacts and friction, compared with a builder and with loads that are written out. The
 // systems are derived at run time, because only the reading is compared.
 #include <kanexpr/contact.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The length of a pathway and the forces of loads as expressions: results, parts of other loads and of
 // constraints.
 #include <kanexpr/contact.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Pathways, contacts and friction with values that are meaningless; the systems are derived at run time. The
 // compiler reports some of them in tests/mistakes.
 #include <kanexpr/blocks.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The words of tyres, compared with a builder. The systems are derived at run time; their power is in
 // mechanics/loads/elements_test.cpp.
 #include <kanexpr/joints.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The contact points of wheels as words, compared with written points and with a builder.
 #include <kanexpr/mechanics/loads/wheel_contact.hpp>
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>

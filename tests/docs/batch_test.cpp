@@ -1,3 +1,4 @@
+// builds: clang++
 // Many systems in parallel: docs/guide/batch.md.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/kanexpr.hpp>

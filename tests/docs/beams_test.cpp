@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Beams: docs/guide/beams.md.
 #include "docs/no_mistake.hpp"
 #include "docs/text.hpp"

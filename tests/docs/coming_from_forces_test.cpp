@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The forces of other programs in the words of kanexpr: docs/coming-from/forces.md.
 #include "docs/no_mistake.hpp"
 

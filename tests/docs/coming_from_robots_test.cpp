@@ -1,3 +1,4 @@
+// builds: clang++ all
 // docs/coming-from: kanexpr's programs that simulate, and that read a robot from a file, print what the pages
 // show.
 #include "docs/printed.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Contact and friction: docs/guide/contact.md.
 #include "docs/no_mistake.hpp"
 

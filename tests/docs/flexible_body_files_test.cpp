@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Flexible bodies from files: docs/guide/flexible-body-files.md.
 #include <docs/guide/flexible-body-files/satellite.cpp>
 

@@ -2,8 +2,11 @@
 // The forms of the equations of a system: docs/guide/formulations.md.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
+#include "models/arm3.hpp"
 #include "models/four_bar.hpp"
+#include "models/pendulum6.hpp"
 
+#include <kanexpr/derivation/cost.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/explain.hpp>
 
@@ -49,6 +52,27 @@ TEST(formulations, are_compared_by_weights) {
                                               400 * c.trigonometric + 60 * c.square_roots +
                                               500 * (c.other - c.square_roots));
   EXPECT_EQ(equations_of_motion<OnBoard>::cost(equations_of_motion<OnBoard>::udot), c);
+}
+
+TEST(formulations, are_listed) {
+  const docs::printed here;
+#include <docs/guide/formulations/options.cpp>
+  EXPECT_TRUE(here.text().starts_with("chosen by the library: ")) << here.text();
+}
+
+#include <docs/guide/formulations/others.cpp>
+
+template <class System>
+int operations() {
+  const symbolic::cost c = derivation::cost_of<System>({mechanics::quantity::udot});
+  return c.multiplications + c.additions;
+}
+
+TEST(formulations, take_the_operations_on_the_page) {
+  EXPECT_EQ(operations<pendulum6::System>(), 336);
+  EXPECT_EQ(operations<Chain>(), 294);
+  EXPECT_EQ(operations<arm3::System>(), 415);
+  EXPECT_EQ(operations<Arm>(), 345);
 }
 
 } // namespace linkage

@@ -1,3 +1,4 @@
+// builds: clang++
 // Functions of models: docs/guide/functions.md.
 #include "docs/complete.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A closed loop of joints: docs/guide/joints.md.
 #include "docs/joints_loop.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Lagrange's method: docs/guide/lagrange.md.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/symbolic.hpp>

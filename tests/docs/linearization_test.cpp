@@ -1,3 +1,4 @@
+// builds: clang++
 // Linearization: docs/guide/linearization.md, except for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Simulations of models derived at run time: docs/guide/builder.md and docs/simulation.md.
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/simulations/model.hpp>

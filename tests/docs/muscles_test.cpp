@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Muscles: docs/guide/muscles.md.
 #include "docs/no_mistake.hpp"
 

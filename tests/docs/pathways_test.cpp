@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Pathways and the loads along them: docs/guide/pathways.md.
 #include "docs/no_mistake.hpp"
 

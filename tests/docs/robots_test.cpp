@@ -1,4 +1,4 @@
-// builds: all
+// builds: g++
 // Robots from files: docs/robots.md, and their units: docs/guide/units.md.
 #include <arm_picture.hpp>
 

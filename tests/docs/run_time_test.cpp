@@ -1,3 +1,4 @@
+// builds: clang++
 // Derivation at run time: docs/guide/run-time.md and docs/guide/builder.md.
 #include "docs/printed.hpp"
 #include "models/double_pendulum.hpp"

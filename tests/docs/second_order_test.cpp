@@ -1,3 +1,4 @@
+// builds: clang++
 // Second order and identification: docs/guide/second-order.md, docs/guide/identification.md.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

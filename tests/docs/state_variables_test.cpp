@@ -1,3 +1,4 @@
+// builds: clang++ all
 // State variables: docs/guide/state-variables.md.
 #include "docs/no_mistake.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Joints and robots in docs/tour.md.
 #include <iiwa_robot.hpp>
 

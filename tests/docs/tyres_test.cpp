@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Tyres: docs/guide/tyres.md.
 #include "docs/no_mistake.hpp"
 

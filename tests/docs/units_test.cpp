@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Units: docs/guide/units.md.
 #include "docs/no_mistake.hpp"
 #include "docs/printed.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Wheels on the ground: docs/guide/wheels.md.
 #include "docs/no_mistake.hpp"
 

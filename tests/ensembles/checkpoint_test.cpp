@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/ensembles/run_on_threads.hpp>
 
 #include <gmock/gmock.h>

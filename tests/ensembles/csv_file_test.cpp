@@ -1,3 +1,4 @@
+// builds: clang++
 #include "ensembles/written_study.hpp"
 
 #include <kanexpr/ensembles/csv_file.hpp>

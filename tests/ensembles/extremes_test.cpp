@@ -1,3 +1,4 @@
+// builds: clang++
 // Compares the extremes of runs with those of known functions of time.
 #include "ensembles/turning.hpp"
 

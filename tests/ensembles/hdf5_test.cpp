@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Reads HDF5 files as other programs do, by functions of HDF5.
 #include "ensembles/written_study.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 #include <kanexpr/ensemble.hpp>
 #include <models/pendulum_nonminimal.hpp>
 #include <models/rotating_tube.hpp>

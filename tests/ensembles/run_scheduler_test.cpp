@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/ensembles/run_scheduler.ipp>
 
 #include <gmock/gmock.h>

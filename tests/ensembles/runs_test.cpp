@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/ensembles/random_stream.hpp>
 #include <kanexpr/ensembles/runs.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/ensembles/stop_on_signal.hpp>
 
 #include <gmock/gmock.h>

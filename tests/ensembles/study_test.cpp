@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The contents of studies, their identities and mistakes.
 #include "ensembles/turning.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The units of a model in tables, CSV files and the columns of studies.
 #include "runtime/cart_with_units.hpp"
 #include "simulations/falling_ball.hpp"

@@ -1,4 +1,4 @@
-// builds: all
+// builds: g++
 // The steps of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled steps.
 #include "bead.hpp"
 

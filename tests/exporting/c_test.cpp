@@ -1,4 +1,4 @@
-// builds: all
+// builds: g++
 // The code of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled functions.
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/symbolic.hpp>

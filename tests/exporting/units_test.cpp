@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Units in exported files.
 #include "runtime/cart_with_units.hpp"
 #include "simulations/falling_ball.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "gallery/parts/checks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "oracles.hpp"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// builds: clang++
 // The cart with its filter and regulator, compared with the same loop in NumPy and SciPy with the same noise.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // The arm with computed torques, compared with the same loop with recursive Newton-Euler equations in NumPy,
 // and with the error that the gains are designed to produce.
 #include "control/matrices.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // The growth of the equations of a chain of loops with its length. Operations are counted, not timed.
 #include "loop_chain.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Shapes of beams, their natural modes, and integrals over them.
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Lines around surfaces for drawing: their lengths are those of geodesics, and they touch the surface.
 #include <kanexpr/numeric/taut_line.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Robots from SDF files, compared with the same robots from URDF files, and the sentences that report invalid
 // files.
 #include <kanexpr/robots/articulation.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Run-time models of robots, compared with results of Pinocchio at random states.
 #include "robots/files.hpp"
 

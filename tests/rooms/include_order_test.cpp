@@ -1,3 +1,4 @@
+// builds: clang++
 #include "rooms/include_order.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A bouncing ball, and a block that sticks and slips: compiled and interpreted code, batches, linearization
 // and constant expressions.
 #include "runtime/agreement.hpp"

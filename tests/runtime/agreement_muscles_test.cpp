@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Muscles with rigid and elastic tendons: compiled and interpreted code, batches and constant expressions.
 #include "runtime/agreement.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Models from a builder, compared with models of the same systems described by types.
 #include "no_heap.hpp"
 #include "runtime/agreement.hpp"

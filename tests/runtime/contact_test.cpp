@@ -1,3 +1,4 @@
+// builds: clang++
 // Contacts and friction, compared with closed forms, and their energy on random motions.
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // User-defined functions in derivations at run time: printing, listing, evaluation, derivatives and limits.
 
 #include <kanexpr/lower/complex_math.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // Printed results of a system derived at run time.
 #include "models/rolling_disc.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "runtime/cart_with_units.hpp"
 #include "simulations/falling_ball.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The regressor, compared with inverse dynamics, which treats masses and inertias differently, at random
 // states that violate the constraints, and with a textbook; compiled and run-time results agree to the last
 // bit. Base parameters, compared with counts and formulas of the literature and with inverse dynamics.

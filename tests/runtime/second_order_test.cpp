@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Second derivatives of weighted rates, compared with complex steps of the first derivatives at random states
 // that violate the constraints; compiled and run-time results agree to the last bit.
 #include "runtime/second_order.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // Models with state variables at run time: the same bits as compiled ones, from types and from a builder;
 // units, linearizations, and mistakes in a builder.
 #include "runtime/agreement.hpp"

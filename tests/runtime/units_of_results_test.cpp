@@ -1,3 +1,4 @@
+// builds: clang++
 // The units of results, compared with what happens to the numbers if the units of length, mass and time
 // change.
 #include <kanexpr/derivation/survey.hpp>

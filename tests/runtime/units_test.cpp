@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/numeric/beams/modes.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The contact of wheels with the ground, compared with a numeric search for the lowest point and with finite
 // differences of positions.
 #include <kanexpr/mechanics/loads/wheel_contact.hpp>

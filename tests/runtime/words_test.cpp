@@ -1,3 +1,4 @@
+// builds: clang++
 // A mistake in a system is reported by the same sentence at compile time and at run time.
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/symbolic.hpp>

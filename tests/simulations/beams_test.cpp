@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Motions of beams: the spin-up of a rotating beam, a slewing arm, a free beam, and the limit of rigid bars.
 #include <kanexpr/numeric/beams/modes.hpp>
 #include <kanexpr/runtime/builder.hpp>

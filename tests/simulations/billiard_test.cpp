@@ -1,3 +1,4 @@
+// builds: clang++
 // A billiard shot from sliding to rolling, compared with its closed form.
 #include <kanexpr/simulate.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Friction with bristles, by Dahl and LuGre: closed forms, rest on a slope, and no creation of energy. Rest
 // of a car on tyres.
 #include <kanexpr/mechanics/loads/friction_law.hpp>

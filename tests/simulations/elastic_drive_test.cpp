@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A motor with an elastic shaft under a PI controller: its eigenvalues, and where its energy goes.
 #include <kanexpr/simulate.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A cart that balances a pendulum by state feedback, designed with the linearized equations.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>

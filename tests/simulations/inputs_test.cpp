@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Controllers and prescribed motions, and the derivatives of controllers that stiff methods need.
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulations/prescribe.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Lagrange's and Kane's methods give the same motion.
 #include <kanexpr/simulate.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Run-time models, derived from types or from a builder, move like the compile-time system.
 #include "runtime/built_pendulum.hpp"
 #include "simulations/falling_ball.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A motor drives a four-bar linkage, whose loop stays closed.
 #include <motion/four_bar.hpp>
 

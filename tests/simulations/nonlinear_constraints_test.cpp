@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Motions with constraints that are not linear in the speeds, compared with closed forms.
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/simulations/model.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Operating points of systems derived by Lagrange's method, and of systems that depend on prescribed
 // quantities and on time.
 #include "models/rocket.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // The linearization of a run-time model at an operating point.
 #include "models/simple_pendulum.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A four-bar linkage that is held by a motor: more equations than unknowns, but consistent ones.
 #include "models/four_bar.hpp"
 

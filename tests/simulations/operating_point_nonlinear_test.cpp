@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The steady motion of a particle with a constant speed, under gravity and a force that follows an input.
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/operating_point.hpp>

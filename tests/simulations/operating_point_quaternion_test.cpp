@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A body that hangs at rest: the search keeps the norm of its quaternion at 1.
 #include <kanexpr/operating_point.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/simulations/progress.hpp>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Motions and operating points of systems with state variables, compared with closed forms.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/simulations/tables/table.hpp>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Several threads simultaneously, each with its own objects; all share constants.
 #include "models/pendulum_nonminimal.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A pendulum in the two coordinates of its bob, simulated and trimmed in different units.
 #include "models/n_pendulum_cart.hpp"
 #include "models/pendulum_nonminimal.hpp"

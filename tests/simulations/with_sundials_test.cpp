@@ -1,3 +1,4 @@
+// builds: clang++ all
 // A program may use names of this library together with those of SUNDIALS.
 #include <kanexpr/kanexpr.hpp>
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Natural frequencies of beams at rest, in rotation and under axial loads, and the equation of a tower.
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>

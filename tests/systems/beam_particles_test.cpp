@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Beams compared with particles at the Gauss points of their axes, which move by the same quadratic functions
 // of the amplitudes. The kinetic energy of a beam is correct to the second order in the amplitudes and their
 // rates, so its equations differ from those of the particles by known powers of the amplitudes.

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The benchmark bicycle on tyres: the stiffer they are, the closer it comes to the bicycle that rolls without
 // slipping. Meijaard, Papadopoulos, Ruina & Schwab (2007), table 2.
 #include <kanexpr/symbolic.hpp>

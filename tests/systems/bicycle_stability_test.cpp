@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The benchmark of Meijaard, Papadopoulos, Ruina & Schwab (2007), computed from the nonlinear equations of
 // the bicycle: the matrices of M q'' + v C1 q' + (g K0 + v² K2) q = f with q = (lean, steer), eigenvalues,
 // and the range of speeds in which it is self-stable.

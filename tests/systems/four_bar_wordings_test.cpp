@@ -1,3 +1,4 @@
+// builds: clang++ all
 // The same linkage in other words: with equivalent constraints, and with other choices of dependent
 // coordinates and speeds.
 #include "systems/check_constrained.hpp"

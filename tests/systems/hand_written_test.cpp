@@ -1,3 +1,4 @@
+// builds: clang++
 // The handwritten systems, compared with the reference results; they serve as a reference for models at other
 // states.
 #include "oracles.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Lagrangians written by hand, with additional forces, compared with those derived from bodies.
 #include "systems/check_constrained.hpp"
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // A wheelset with conical wheels on two rails: its slow motion is that of Klingel, Organ für die Fortschritte
 // des Eisenbahnwesens 38 (1883), pages 113-123.
 #include <kanexpr/symbolic.hpp>

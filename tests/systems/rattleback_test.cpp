@@ -1,4 +1,4 @@
-// builds: all
+// builds: g++
 #include "systems/check_constrained.hpp"
 
 #include <models/rattleback.hpp>

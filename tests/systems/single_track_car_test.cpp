@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // The linear single-track car: eigenvalues and steady cornering with and without relaxation lengths, compared
 // with closed forms. Pacejka (2012), sections 1.3.2 and 7.2.1.
 #include <kanexpr/runtime/builder.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Compiled systems of masses on springs and dampers, compared with M ü + C u̇ + K x = 0 and with Newton's
 // law.
 #include "no_heap.hpp"

@@ -11,6 +11,7 @@
 
 namespace kanexpr {
 
+/// What operations cost on a target, in any unit: `operation_weights{.fused = 1}`.
 using symbolic::operation_weights;
 
 namespace describe {

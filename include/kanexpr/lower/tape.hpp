@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
@@ -55,6 +56,7 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
+  sequence<int> columns{}; ///< of each result, or -1; empty if there are few
   sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   sequence<const symbolic::external_function*> externals{};
@@ -140,7 +142,7 @@ private:
   /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
     // whether a node does not depend on any function: sums and products of arguments
-    sequence<char> is_free(slots_.size(), 0);
+    base::zeros<char> is_free(slots_.size());
     char* const free = is_free.begin();
     sequence<int> gathered;
     for (int id : nodes_in_order_) {
@@ -254,27 +256,29 @@ constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
 
 namespace detail {
 
-/// The number of sums that can be evaluated together with a product that nothing else uses.
+/// The number of sums that can be evaluated together with a product that nothing else uses. The code calls no
+/// functions, because compilers interpret and remember every call.
 constexpr int fused_sums(const tape& t) {
-  sequence<int> uses(t.slot_count(), 0);
-  int* const use = uses.begin(); // compilers interpret every call
-  const instruction *const step = t.steps.begin(), *const end = t.steps.end();
-  for (const instruction* s = step; s != end; ++s) {
-    if (s->op >= operation::component) continue; // lists its operands elsewhere
-    ++use[s->a];
-    if (symbolic::is_binary(s->op)) ++use[s->b];
+  constexpr operation add = operation::add, subtract = operation::subtract, multiply = operation::multiply;
+  sequence<int> all_uses(t.slot_count(), 0);
+  int* const uses = all_uses.begin();
+  const instruction *const steps = t.steps.begin(), *const end = t.steps.end();
+  for (const instruction* s = steps; s != end; ++s) {
+    if (s->op >= operation::component) continue; // its operands are listed
+    ++uses[s->a];
+    ++uses[s->b]; // the slot of a number or an argument for operations with one operand
   }
-  for (int slot : t.operands) ++use[slot];
-  for (int slot : t.results) ++use[slot];
+  for (int slot : t.operands) ++uses[slot];
+  for (int slot : t.results) ++uses[slot];
   const int first = t.first_step();
-  const auto is_single_product = [&](int slot) {
-    return slot >= first && step[slot - first].op == operation::multiply && use[slot] == 1;
-  };
   int fused = 0;
-  for (const instruction* s = step; s != end; ++s)
-    if ((s->op == operation::add || s->op == operation::subtract) &&
-        (is_single_product(s->a) || is_single_product(s->b)))
+  for (const instruction* s = steps; s != end; ++s) {
+    if (s->op != add && s->op != subtract) continue;
+    const int a = s->a, b = s->b;
+    if ((a >= first && uses[a] == 1 && steps[a - first].op == multiply) ||
+        (b >= first && uses[b] == 1 && steps[b - first].op == multiply))
       ++fused;
+  }
   return fused;
 }
 

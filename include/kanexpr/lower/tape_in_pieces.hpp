@@ -20,8 +20,11 @@ struct lengths {
 template <class Code>
 inline constexpr lengths lengths_of{};
 
-template <class Code>
-inline constexpr bool is_cut = Code::tape.sizes.steps > lengths_of<Code>.longest_uncut;
+/// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class that
+/// names `evaluated_tape` derives no code before it is called.
+template <class Code, class Number>
+inline constexpr bool is_cut =
+    Code::tape.sizes.steps > lengths_of<Code>.longest_uncut && !uses_vectors<Code, Number>();
 
 /// The cuts of the tape of `Code` as arrays that outlive constant evaluation.
 template <class Code>
@@ -214,6 +217,6 @@ private:
 /// The evaluation of a tape, in pieces if it is long.
 template <class Code, class Number>
 using evaluated_tape =
-    std::conditional_t<is_cut<Code>, tape_in_pieces<Code, Number>, unrolled_tape<Code, Number>>;
+    std::conditional_t<is_cut<Code, Number>, tape_in_pieces<Code, Number>, unrolled_tape<Code, Number>>;
 
 } // namespace kanexpr::lower

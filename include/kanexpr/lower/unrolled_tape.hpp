@@ -3,6 +3,7 @@
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
+#include <kanexpr/lower/vector_step.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <type_traits>
@@ -60,7 +61,10 @@ public:
 
   template <int index>
   [[gnu::always_inline]] const Number& result() const noexcept {
-    return result_[index];
+    if constexpr (with_vectors)
+      return result_[steps_on_vectors<Code, Number>::place_of(index)];
+    else
+      return result_[index];
   }
 
   /// Evaluates a piece of a longer tape: the loads are places in `memory`, and steps whose values other
@@ -73,6 +77,7 @@ public:
 
 private:
   static constexpr step_plan<Code> plan{};
+  static constexpr bool with_vectors = uses_vectors<Code, Number>();
   static constexpr int first = tape.first_step(), first_angle = tape.sizes.first_angle,
                        angles = tape.sizes.angles, behind = first_angle + 2 * angles;
 
@@ -108,15 +113,20 @@ private:
       const Number all[]{given[a(first_angle + 2 * angle)]...};
       scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
-    [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
-    [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
-        given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-        take<plan.what[behind + after]>(
-            slot[a(behind + after)], slot[b(behind + after)],
-            plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
-            plan.what[behind + after] < 0 ? slot : nullptr)...};
-    const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
-    static_cast<void>(order);
+    if constexpr (with_vectors) {
+      const Number before_steps[]{given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...};
+      steps_on_vectors<Code, Number>::run(before_steps, result_);
+    } else {
+      [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
+      [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
+          given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
+          take<plan.what[behind + after]>(
+              slot[a(behind + after)], slot[b(behind + after)],
+              plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
+              plan.what[behind + after] < 0 ? slot : nullptr)...};
+      const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
+      static_cast<void>(order);
+    }
   }
 
   template <int... number, int... load, int... before, int... angle, int... known, int... turned,
@@ -210,7 +220,14 @@ private:
     static_cast<void>(order);
   }
 
-  Number result_[tape.sizes.results > 0 ? tape.sizes.results : 1];
+  static consteval std::size_t places() {
+    if constexpr (with_vectors)
+      return at_least_one(steps_on_vectors<Code, Number>::places);
+    else
+      return at_least_one(tape.sizes.results);
+  }
+
+  Number result_[places()];
 };
 
 } // namespace kanexpr::lower

@@ -43,6 +43,7 @@ struct explanation {
   KANEXPR_ENGINE std::string text() const;
 };
 
+/// Options of `explain`.
 struct explain_options {
   /// The results that are counted together; the operations for their status are included.
   std::vector<mechanics::quantity> results{mechanics::quantity::udot};

@@ -8,15 +8,24 @@
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/mechanics/dynamics/absolute_speeds.hpp>
 #include <kanexpr/mechanics/equations.hpp>
-#include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/model/formulation.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/runtime/explain.hpp>
 #include <kanexpr/runtime/formulation_search.hpp>
 #include <kanexpr/runtime/system_expressions.ipp>
+#include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::runtime {
 

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Loops that are closed by a pin or a weld, compared with the same mechanism without a loop.
 #include "describe/joints/by_hand.hpp"
 

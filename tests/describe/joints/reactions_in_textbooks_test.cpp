@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Joint reactions, compared with textbook formulas.
 #include "describe/joints/by_hand.hpp"
 

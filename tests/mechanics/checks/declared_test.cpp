@@ -1,3 +1,4 @@
+// builds: clang++
 // Declarations of a model, compared with what follows from the rest of the model: angular velocities with
 // orientations, points fixed in frames with their positions, inertias with the bodies that have them, gravity
 // with possible gravity fields.

@@ -1,3 +1,4 @@
+// builds: clang++
 // Constraints that are given in addition to, or in place of, those that the library would derive.
 #include "mechanics/workbench.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Forces that do no work, brought into evidence by auxiliary speeds, compared with Newton's and Euler's laws
 // written by hand.
 #include "mechanics/workbench.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Flexible bodies whose integrals are sums over particles, compared with models of the same particles.
 #include "numbers_of.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Models whose positions are written by components with sines and cosines: M, f and u̇ are as short as by
 // hand, with Kane's and with Lagrange's method, at compile time and at run time.
 #include <kanexpr/derivation/cost.hpp>

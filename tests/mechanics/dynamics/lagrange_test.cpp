@@ -1,3 +1,4 @@
+// builds: clang++
 // Lagrange's equations of random mechanisms, compared with Kane's, and Lagrangians that do not belong to any
 // bodies.
 #include "mechanics/random/dice.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Masses and inertias that change, F = d(mv)/dt and M = dH/dt, compared with momenta along the motion as
 // Taylor series, and prescribed motion, compared with closed forms.
 #include "mechanics/jet.hpp"

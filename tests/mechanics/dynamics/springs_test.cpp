@@ -1,3 +1,4 @@
+// builds: clang++
 // The effects of springs, dampers and potential energies on motion, energy and constraint forces.
 #include "mechanics/workbench.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // The linearization in the states only, compared with that of all equations, solved numerically; and general
 // forms written by hand.
 #include "mechanics/random/bound_mechanism.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Bushings: closed forms, Kane's method compared with Lagrange's, and momentum.
 #include <Eigen/Core>
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Every force element: its power by its own law against that of its generalized forces, its energy at random
 // states and along random motions, and its derivatives against complex steps.
 #include "elements_at_joints.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Muscles with tendons: the balance of their fibers, their formulations against each other, their equilibria
 // and the limit of a rigid tendon. Their power and derivatives are in elements_test.cpp, and SymPy's
 // references in sympy_actuators_test.cpp.

@@ -1,3 +1,4 @@
+// builds: clang++
 // Pathways: the power of loads along them, their lengths compared with geodesics that are integrated
 // numerically, energy, and Kane's method compared with Lagrange's.
 #include "arm.hpp"

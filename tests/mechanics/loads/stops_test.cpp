@@ -1,3 +1,4 @@
+// builds: clang++
 // Stops: their force and its derivatives, and the energy along random motions.
 #include <Eigen/Core>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// builds: clang++ all
 // Actuators along pathways, the curves of muscles, activation dynamics and muscles with tendons at random
 // states, compared with those of SymPy 1.14 (oracles/sympy_actuators.py).
 #include "oracles.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // The laws of tyres as functions of the slip: the brush model against its integral, the Magic Formula against
 // plain numbers, and the properties of both. The graph is evaluated directly.
 #include "tyre_law_functions.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // All ways to describe frames, points and inertias, compared with plain numbers.
 #include "mechanics/workbench.hpp"
 

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include <kanexpr/mechanics/model/print_vector.hpp>
 
 #include <gtest/gtest.h>

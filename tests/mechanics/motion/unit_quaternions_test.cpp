@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 // The quaternions whose norm 1 the kinematic differential equations preserve.
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "scrambled_formula.hpp"
 
 #include <kanexpr/symbolic/algebra/equality.hpp>

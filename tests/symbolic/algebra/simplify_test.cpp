@@ -1,3 +1,4 @@
+// builds: clang++
 // The shortest of several forms, and complete linearizations as an engineer would write them.
 #include "models/double_pendulum.hpp"
 #include "models/rolling_disc.hpp"

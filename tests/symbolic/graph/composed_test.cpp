@@ -1,3 +1,4 @@
+// builds: clang++
 // Functions that are composed of others, and selections.
 #include "evaluate_graph.hpp"
 #include "symbolic/symbols.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // The properties in the table of functions, compared with the values of the functions.
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Smooth functions, compared with numbers of 60 digits.
 #include "references.hpp"
 #include "symbolic/symbols.hpp"

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "symbolic/random_formula.hpp"
 
 #include <kanexpr/symbolic/graph/substitute.hpp>

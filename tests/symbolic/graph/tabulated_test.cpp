@@ -1,3 +1,4 @@
+// builds: clang++
 // Curves through points, compared with those of SciPy.
 #include "references.hpp"
 #include "symbolic/symbols.hpp"

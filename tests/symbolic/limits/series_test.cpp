@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "../symbols.hpp"
 
 #include "evaluate_graph.hpp"

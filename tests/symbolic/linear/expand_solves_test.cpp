@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "entry_squares.hpp"
 #include "linear_systems.hpp"
 

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "linear_systems.hpp"
 #include "symbolic/symbols.hpp"
 

@@ -104,7 +104,7 @@ TEST(solve_symmetric, prepares_for_columns_that_are_zero_in_whole_branches) {
     for (int j = base; j < n; ++j)
       if ((i - base) / length != (j - base) / length) root(i, j) = 0;
   root.topRightCorner(base, n - base).setZero();
-  const Eigen::MatrixXd a = root * root.transpose() + Eigen::MatrixXd::Identity(n, n);
+  const Eigen::MatrixXd a = root.transpose() * root + Eigen::MatrixXd::Identity(n, n);
   const Eigen::VectorXd b = random_matrix(engine, n, 1).col(0);
   const auto solved = [&](bool is_prepared, int& operations) {
     linear_system s(a, b, true);

@@ -1,4 +1,4 @@
-// builds: sanitize
+// builds: clang++ sanitize
 #include "symbolic/symbols.hpp"
 
 #include <kanexpr/symbolic/printing/latex.hpp>

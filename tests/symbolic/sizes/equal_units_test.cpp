@@ -1,3 +1,4 @@
+// builds: clang++
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/sizes/equal_units.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // The results that must be checked to be sure that all are finite.
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>

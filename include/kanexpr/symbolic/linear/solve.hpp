@@ -193,10 +193,17 @@ private:
       ++direct;
       within[k] = 2 * zeros[k] > of_all ? 1 : 0;
     }
+    for (int k : order_) // an unknown on which another one of these depends is not replaced
+      for (int i = 0; i < n_ && within[k] != 0; ++i)
+        if (responses_[k * n_ + i] != graph::zero) within[i] = 0;
+    sequence<char> branch = within; // with the unknowns that these replace themselves
+    for (int k = 0; k < n_; ++k)
+      for (int i = 0; i < n_ && within[k] != 0; ++i)
+        if (is_within_[k * n_ + i] != 0) branch[i] = 1;
     for (int j = 0; j < weights.size(); ++j) {
       const char* const of = filled.begin() + j * n_;
       bool is_zero = of[p] == 0;
-      for (int k = 0; k < n_; ++k) is_zero = is_zero && (within[k] == 0 || of[k] == 0);
+      for (int k = 0; k < n_; ++k) is_zero = is_zero && (branch[k] == 0 || of[k] == 0);
       if (is_zero) uses += weights[j];
     }
     for (int k = 0; k < n_; ++k) {
@@ -207,7 +214,7 @@ private:
     for (int i = 0; i < n_; ++i) remaining += outside[i];
     if (uses * (direct - remaining) <= 2 * formed) return;
     for (int i = 0; i < n_; ++i) {
-      is_within_[p * n_ + i] = within[i];
+      is_within_[p * n_ + i] = branch[i];
       int sum = outside[i] != 0 ? own[i] : graph::zero;
       for (int k = 0; k < n_ && outside[i] != 0; ++k)
         if (within[k] != 0) sum = subtract(g_, sum, multiply(g_, own[k], responses_[k * n_ + i]));
