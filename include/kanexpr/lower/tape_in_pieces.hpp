@@ -156,8 +156,8 @@ struct result_places {
   }
 };
 
-/// Evaluation of a long tape as several functions, because the time and the memory of a compiler grow faster
-/// than the length of a function. The operations and their order are those of `unrolled_tape`.
+/// Evaluation of a long tape as several functions, because the time that a compiler needs to optimize a
+/// function grows faster than its length. The operations and their order are those of `unrolled_tape`.
 ///
 /// Values that several pieces use are in one array, each at a constant place; all other values are in
 /// registers.
