@@ -20,8 +20,8 @@ struct lengths {
 template <class Code>
 inline constexpr lengths lengths_of{};
 
-/// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class that
-/// names `evaluated_tape` derives no code before it is called.
+/// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class
+/// that names `evaluated_tape` derives no code before it is called.
 template <class Code, class Number>
 inline constexpr bool is_cut =
     Code::tape.sizes.steps > lengths_of<Code>.longest_uncut && !uses_vectors<Code, Number>();
