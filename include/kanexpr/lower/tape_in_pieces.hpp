@@ -178,10 +178,6 @@ public:
   [[gnu::always_inline]] const Number& result() const noexcept {
     return memory_[place_of_result(index)];
   }
-  /// The result with an index that is known only at run time.
-  [[gnu::always_inline]] const Number& result_at(int index) const noexcept {
-    return memory_[result_place.of[index]];
-  }
 
 private:
   static constexpr int pieces = cuts_of<Code>::value.pieces, places = cuts_of<Code>::value.places;
