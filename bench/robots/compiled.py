@@ -3,8 +3,8 @@
 (multiplications and additions) of M and f together and of u', those of Pinocchio traced by CppADCodeGen, how far the
 compiled results are from those at run time, and what the compiler took. FOLDER has kanexpr-robot, results and tree;
 COMPILER has the flags for a file that uses kanexpr."""
+import os
 import pathlib
-import resource
 import subprocess
 import sys
 
@@ -25,6 +25,8 @@ ROBOTS = [
     ("solo12", "solo12.urdf", "floating"),
     ("anymal", "anymal_b_simple_description/robots/anymal.urdf", "floating"),
     ("go1", "go1.urdf", "floating"),
+    ("icub", "icub_reduced.urdf", "floating"),
+    ("talos", "talos_reduced.urdf", "floating"),
 ]
 
 
@@ -42,23 +44,29 @@ def traced(folder, name, urdf, base):
     )
 
 
+def resources_of(command):
+    """What a command, which must succeed, and its children take."""
+    _, status, took = os.wait4(subprocess.Popen(command).pid, 0)
+    if status != 0:
+        raise subprocess.CalledProcessError(os.waitstatus_to_exitcode(status), command)
+    return took
+
+
 def compiled(folder, compiler, name, urdf, base):
     header, program = folder / f"{name}.hpp", folder / f"compiled_{name}"
     write = [folder / "kanexpr-robot", urdf, "--name", name, "-o", header, "--base", base, "--no-damping", "-q"]
     subprocess.run(write, check=True)
     flags = [f'-DROBOT_HEADER="{header}"', f"-DROBOT={name}", HERE / "compiled.cpp", "-o", program]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.run([*compiler, *flags], check=True)
-    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    took = resources_of([*compiler, *flags])
     told = subprocess.run([folder / "results", urdf, base, "5", "1e-4"], capture_output=True, text=True, check=True)
     ran = subprocess.run([program], input=told.stdout, capture_output=True, text=True, check=True)
-    return [*ran.stdout.split(), f"{seconds:.1f}"]
+    return [*ran.stdout.split(), f"{took.ru_utime:.1f}", took.ru_maxrss // 1024]
 
 
 def main():
     folder, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
     files = all_files()
-    print("robot\tbase\tM and f\tu'\tapart\tseconds\tM and f, traced\tu', traced")
+    print("robot\tbase\tM and f\tu'\tapart\tseconds\tMB\tM and f, traced\tu', traced")
     for name, file, base in ROBOTS:
         urdf = next(f for f in files if str(f).endswith("/" + file))
         row = [name, base, *compiled(folder, compiler, name, urdf, base), *traced(folder, name, urdf, base)]

@@ -7,6 +7,7 @@
 
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>
+#include <kanexpr/describe/formulation.hpp>
 #include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/path_load.hpp>

@@ -12,6 +12,7 @@
 #include <kanexpr/compiled/units_of.hpp>
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>
+#include <kanexpr/describe/formulation.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/path_load.hpp>
 #include <kanexpr/describe/pathway.hpp>

@@ -47,6 +47,24 @@ TEST(cost, of_robots) {
   EXPECT_LE(accelerations<quadruped::System>(), 2980);
 }
 
+template <class System>
+int linearization() {
+  return operations(kanexpr::derivation::cost_of<System>({quantity::state_matrix, quantity::input_matrix}));
+}
+
+// Derivatives with respect to the angle of the iiwa's last joint are formed forward, those with respect to
+// the others in reverse; all derivatives of the pendulum and of the quadruped are formed forward.
+TEST(cost, of_linearizations) {
+  EXPECT_LE(linearization<iiwa::System>(), 4040);
+  EXPECT_LE(linearization<puma::System>(), 4200);
+  EXPECT_LE(linearization<pendulum6::System>(), 1540);
+  EXPECT_LE(linearization<quadruped::System>(), 17540);
+}
+
+TEST(cost, of_second_order) {
+  EXPECT_LE(operations(kanexpr::derivation::cost_of<iiwa::System>({quantity::weighted_hessian})), 7670);
+}
+
 TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
   kanexpr::lower::tape_sizes sizes{.steps = kanexpr::lower::most_steps, .results = 9};
   EXPECT_FALSE(kanexpr::derivation::check_room("Chain", sizes));

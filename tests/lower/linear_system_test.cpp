@@ -9,7 +9,7 @@
 
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/pack.hpp>
-#include <kanexpr/lower/unrolled_tape.hpp>
+#include <kanexpr/lower/tape_in_pieces.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
@@ -57,6 +57,19 @@ public:
   static constexpr auto tape = lower::trimmed<roomy.sizes>(roomy);
 };
 
+/// The same tape, in pieces.
+template <int n>
+struct cut_code {
+  static constexpr const auto& tape = code<n>::tape;
+};
+
+} // namespace
+
+template <int n>
+inline constexpr kanexpr::lower::lengths kanexpr::lower::lengths_of<cut_code<n>>{0, 8};
+
+namespace {
+
 template <class T>
 struct arguments {
   const T* values;
@@ -69,16 +82,16 @@ struct arguments {
 template <int n>
 inline constexpr int results = 3 * n + 1;
 
-template <class T, int n, int... i>
+template <class T, int n, class Code, int... i>
 [[gnu::noinline]] std::array<T, results<n>> evaluated(const std::array<T, n * n + n>& at,
                                                       std::integer_sequence<int, i...>) {
   no_heap::guard guard;
-  const lower::unrolled_tape<code<n>, T> done(arguments<T>{at.data()});
+  const lower::evaluated_tape<Code, T> done(arguments<T>{at.data()});
   return {done.template result<i>()...};
 }
-template <class T, int n>
+template <class T, int n, class Code = code<n>>
 std::array<T, results<n>> evaluated(const std::array<T, n * n + n>& at) {
-  return evaluated<T, n>(at, std::make_integer_sequence<int, results<n>>{});
+  return evaluated<T, n, Code>(at, std::make_integer_sequence<int, results<n>>{});
 }
 
 /// A regular matrix with zeros on the diagonal, and a right-hand side.
@@ -187,6 +200,27 @@ void check_of_packs_has_the_bits_of_each_lane() {
 TEST(a_linear_system, of_packs_has_the_bits_of_each_lane) {
   check_of_packs_has_the_bits_of_each_lane<3>();
   check_of_packs_has_the_bits_of_each_lane<5>();
+}
+
+TEST(a_linear_system, in_pieces_has_the_same_bits) {
+  constexpr int n = 4;
+  using number = Eigen::AutoDiffScalar<Eigen::Vector2d>;
+  static_assert(!lower::is_cut<code<n>> && lower::is_cut<cut_code<n>>);
+  static_assert(lower::cuts_of<cut_code<n>>::value.pieces > 3); // a factorization and three solutions
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const auto at = sample<n>(seed);
+    const auto whole = evaluated<double, n>(at), in_pieces = evaluated<double, n, cut_code<n>>(at);
+    EXPECT_EQ(in_pieces, whole);
+    std::array<number, n * n + n> seeded;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      seeded[i] = number(at[i], Eigen::Vector2d(1 + 0.1 * static_cast<double>(i), -0.3));
+    const auto slopes = evaluated<number, n>(seeded),
+               slopes_in_pieces = evaluated<number, n, cut_code<n>>(seeded);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_EQ(slopes_in_pieces[i].value(), slopes[i].value());
+      EXPECT_EQ(slopes_in_pieces[i].derivatives(), slopes[i].derivatives());
+    }
+  }
 }
 
 template <int n>

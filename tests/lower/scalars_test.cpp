@@ -6,6 +6,7 @@
 
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/lower/pack.hpp>
+#include <kanexpr/lower/tape_in_pieces.hpp>
 #include <models/double_pendulum.hpp>
 #include <models/rolling_disc.hpp>
 
@@ -23,6 +24,17 @@ namespace {
 using disc = kanexpr::equations_of_motion<rolling_disc::System>;
 using bars = kanexpr::equations_of_motion<double_pendulum::System>;
 typedef double pack __attribute__((vector_size(32)));
+
+using disc_jacobian_code =
+    kanexpr::compiled::code<rolling_disc::System, kanexpr::mechanics::quantity::state_jacobian>;
+
+} // namespace
+
+/// The Jacobian by itself is in pieces; together with another result it is not.
+template <>
+inline constexpr kanexpr::lower::lengths kanexpr::lower::lengths_of<disc_jacobian_code>{0, 12};
+
+namespace {
 
 disc::state disc_state() {
   using namespace rolling_disc;
@@ -117,6 +129,43 @@ TEST(scalars, each_lane_of_a_pack_has_the_bits_of_its_own_evaluation) {
     for (int i = 0; i < 4; ++i) EXPECT_EQ(mass_matrix(i)[lane], own_mass_matrix(i));
     for (int i = 0; i < 4; ++i) EXPECT_EQ(rates(i)[lane], own_rates(i));
     EXPECT_EQ(energy.value[lane], own_energy.value);
+  }
+}
+
+/// Each entry of the Jacobian of the disc in pieces, followed by the same entry as evaluated in one function.
+template <class Number>
+auto disc_jacobian(const kanexpr::state<rolling_disc::System, Number>& x) {
+  constexpr kanexpr::function<rolling_disc::System, kanexpr::mechanics::quantity::state_jacobian> in_pieces{};
+  constexpr auto whole = disc::together(in_pieces, disc::kinetic_energy);
+  const disc::parameters p = disc_parameters();
+  no_heap::guard guard;
+  return std::pair(in_pieces(x, p), std::get<0>(whole(x, p)));
+}
+
+TEST(scalars, have_the_same_bits_in_pieces) {
+  static_assert(kanexpr::lower::is_cut<disc_jacobian_code>);
+  static_assert(kanexpr::lower::cuts_of<disc_jacobian_code>::value.pieces > 5);
+  const disc::state x = disc_state();
+  constexpr int n = disc::state::RowsAtCompileTime;
+  const auto [own, whole] = disc_jacobian<double>(x);
+  EXPECT_EQ(own, whole);
+  EXPECT_TRUE(own.status);
+  EXPECT_GT(own.norm(), 1);
+  const auto [rough, rough_whole] =
+      disc_jacobian<float>(kanexpr::state<rolling_disc::System, float>(x.cast<float>()));
+  EXPECT_EQ(rough, rough_whole);
+
+  using number = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
+  kanexpr::state<rolling_disc::System, number> seeded;
+  kanexpr::state<rolling_disc::System, pack> side_by_side;
+  for (int i = 0; i < n; ++i) seeded(i) = number(x(i), n, i), side_by_side(i) = x(i) + pack{0, 0.1, 0.2, 0.3};
+  const auto [slopes, slopes_whole] = disc_jacobian<number>(seeded);
+  const auto [lanes, lanes_whole] = disc_jacobian<pack>(side_by_side);
+  for (int i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(slopes(i).value(), own(i));
+    EXPECT_EQ(slopes(i).derivatives(), slopes_whole(i).derivatives());
+    EXPECT_EQ(lanes(i)[0], own(i));
+    for (int lane = 1; lane < 4; ++lane) EXPECT_EQ(lanes(i)[lane], lanes_whole(i)[lane]);
   }
 }
 

@@ -124,4 +124,80 @@ TEST(step_order, puts_products_before_their_sum) {
   EXPECT_EQ(order[3], sum);
 }
 
+TEST(step_order, looks_one_step_ahead) {
+  graph g;
+  const int a = symbol(g, "a", 0), b = symbol(g, "b", 1), c = symbol(g, "c", 2);
+  const int first = g.find_or_append({operation::sin, a, 0});
+  const int later = g.find_or_append({operation::sin, b, 0});
+  const int second = g.find_or_append({operation::sin, c, 0});
+  const int sum = g.find_or_append({operation::add, first, second});
+  const int end = g.find_or_append({operation::add, sum, later});
+  const sequence<int> order = in_order(g, {end});
+  ASSERT_EQ(order.size(), 5);
+  int next = 0;
+  for (int id : {first, second, sum, later, end}) EXPECT_EQ(order[next++], id);
+}
+
+/// How often a processor moves values between memory and its registers if it keeps those that are needed next
+/// (Belady, A study of replacement algorithms, 1966). Numbers and arguments are operands in memory.
+int moves(const graph& g, const sequence<int>& order, std::size_t registers) {
+  std::vector<std::vector<int>> uses(static_cast<std::size_t>(g.size())); // in reverse
+  const auto operands = [&](int id) {
+    std::vector<int> all;
+    for (int each : {g[id].a, kanexpr::symbolic::is_binary(g[id].op) ? g[id].b : g[id].a})
+      if (g[each].op > operation::symbol && std::find(all.begin(), all.end(), each) == all.end())
+        all.push_back(each);
+    return all;
+  };
+  const auto uses_of = [&](int id) -> std::vector<int>& { return uses[static_cast<std::size_t>(id)]; };
+  for (int i = order.size() - 1; i >= 0; --i)
+    for (int each : operands(order[i])) uses_of(each).push_back(i);
+  int moved = 0;
+  std::vector<int> held;
+  std::vector<bool> is_stored(static_cast<std::size_t>(g.size()));
+  const auto hold = [&](int id, int now) {
+    if (held.size() == registers) {
+      const auto furthest = std::max_element(held.begin(), held.end(), [&](int a, int b) {
+        const auto next = [&](int x) { return uses_of(x).back() == now ? -1 : uses_of(x).back(); };
+        return next(a) < next(b);
+      });
+      if (!is_stored[static_cast<std::size_t>(*furthest)]) ++moved;
+      is_stored[static_cast<std::size_t>(*furthest)] = true;
+      held.erase(furthest);
+    }
+    held.push_back(id);
+  };
+  for (int i = 0; i < order.size(); ++i) {
+    const std::vector<int> read = operands(order[i]);
+    for (int each : read)
+      if (std::find(held.begin(), held.end(), each) == held.end()) {
+        ++moved;
+        hold(each, i);
+      }
+    for (int each : read) {
+      uses_of(each).pop_back();
+      if (uses_of(each).empty()) held.erase(std::find(held.begin(), held.end(), each));
+    }
+    if (!uses_of(order[i]).empty()) hold(order[i], i);
+  }
+  return moved;
+}
+
+TEST(step_order, moves_few_values_through_memory) {
+  kanexpr::model m = kanexpr::derive<iiwa::System>();
+  kanexpr::symbolic::matrix derivatives = m.get(kanexpr::mechanics::quantity::state_matrix);
+  for (const auto& each : m.get(kanexpr::mechanics::quantity::input_matrix).entries)
+    derivatives.entries.push(each);
+  const graph& g = derivatives.entries[0].owner();
+  const sequence<int> results = kanexpr::symbolic::nodes_of(derivatives.entries);
+  sequence<int> as_derived;
+  for (int id : kanexpr::symbolic::live_values(g, results))
+    if (g[id].op > operation::symbol) as_derived.push(id);
+  const auto share = [&](std::size_t registers) {
+    return double(moves(g, in_order(g, results), registers)) / moves(g, as_derived, registers);
+  };
+  EXPECT_LT(share(16), 0.84); // 0.87 without looking ahead
+  EXPECT_LT(share(32), 0.89); // 0.91
+}
+
 } // namespace

@@ -27,7 +27,7 @@ TEST_F(cost_of_code, counts_by_kind) {
   EXPECT_EQ(of_all({a + b - c}), (cost{0, 2, 0, 0, 0, 2}));
   EXPECT_EQ(of_all({m * r * r / 4}), (cost{3, 0, 0, 0, 0, 3}));
   EXPECT_EQ(of_all({a / b}), (cost{0, 0, 1, 0, 0, 1}));
-  EXPECT_EQ(of_all({sqrt(a) + exp(b)}), (cost{0, 1, 0, 0, 2, 3}));
+  EXPECT_EQ(of_all({sqrt(a) + exp(b)}), (cost{0, 1, 0, 0, 2, 3, 1}));
   EXPECT_EQ(of_all({atan2(a, b)}), (cost{0, 0, 0, 1, 0, 1}));
   EXPECT_EQ(of_all({cbrt(a) + erf(b) + wrap_to_pi(c)}), (cost{0, 2, 0, 0, 3, 5}));
   EXPECT_EQ(of_all({power(a, b)}), (cost{0, 0, 0, 0, 1, 1}));
@@ -60,6 +60,6 @@ constexpr cost compiled() {
   const expression e = sin(p) * sin(p) - p / (p + 1);
   return cost_of(g, {e.node()});
 }
-static_assert(compiled() == cost{1, 2, 1, 1, 0, 5});
+static_assert(compiled() == cost{1, 2, 1, 1, 0, 5, 0, 1});
 
 } // namespace

@@ -13,7 +13,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
-#include <kanexpr/lower/unrolled_tape.hpp>
+#include <kanexpr/lower/tape_in_pieces.hpp>
 #include <kanexpr/numeric/fixed_matrix.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -168,7 +168,7 @@ private:
       assert_size(w, state_size), assert_size(v, state_size + input_count);
       Number t = lower::scalar_math<Number>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
-      return collect_from<with_statuses, Number>(lower::unrolled_tape<code, Number>(
+      return collect_from<with_statuses, Number>(lower::evaluated_tape<code, Number>(
           compiled::arguments<System, Number, State, Parameters, Inputs, Accelerations, Weights, Direction>{
               t, x, p, r, a, w, v}));
     }
@@ -195,19 +195,18 @@ private:
   static constexpr int checks = code::causes.sizes.count;
   static constexpr int first_check = code::tape.sizes.results - 2 * checks;
 
-  template <bool with_statuses, class Number>
-  [[gnu::always_inline]] static auto collect_from(const lower::unrolled_tape<code, Number>& done) noexcept {
+  template <bool with_statuses, class Number, class Done>
+  [[gnu::always_inline]] static auto collect_from(const Done& done) noexcept {
     if constexpr (sizeof...(wanted) == 1) {
-      return with_status_of<with_statuses>(done, collect<Number, 0, wanted...>(done));
+      return with_status_of<with_statuses, Number>(done, collect<Number, 0, wanted...>(done));
     } else {
-      return collect_all<with_statuses>(done, std::make_index_sequence<sizeof...(wanted)>{});
+      return collect_all<with_statuses, Number>(done, std::make_index_sequence<sizeof...(wanted)>{});
     }
   }
 
   /// Returns a result without a status if it requires no solve and no status is requested.
-  template <bool with_statuses, class Number, class Result>
-  [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, Number>& done,
-                                                    const Result& result) noexcept {
+  template <bool with_statuses, class Number, class Done, class Result>
+  [[gnu::always_inline]] static auto with_status_of(const Done& done, const Result& result) noexcept {
     if constexpr (checks == 0 && !with_statuses)
       return result;
     else
@@ -215,8 +214,8 @@ private:
   }
 
   /// Reports the first cause, because later ones may be its consequences.
-  template <class Number, int... index>
-  [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, Number>& done,
+  template <class Number, class Done, int... index>
+  [[gnu::always_inline]] static status status_of(const Done& done,
                                                  std::integer_sequence<int, index...>) noexcept {
     if constexpr (checks == 0) {
       return {};
@@ -230,16 +229,16 @@ private:
     }
   }
 
-  template <class Number, int index>
-  [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, Number>& done) noexcept {
+  template <class Number, int index, class Done>
+  [[gnu::always_inline]] static bool passes(const Done& done) noexcept {
     constexpr bool of_finiteness = code::checks_finiteness && index == checks - 1;
     return lower::passes<of_finiteness, Number>(done.template result<first_check + 2 * index>(),
                                                 done.template result<first_check + 2 * index + 1>(),
                                                 base::least_singularity_measure<Number>());
   }
 
-  template <class Number, int first, auto one>
-  [[gnu::always_inline]] static auto collect(const lower::unrolled_tape<code, Number>& done) noexcept {
+  template <class Number, int first, auto one, class Done>
+  [[gnu::always_inline]] static auto collect(const Done& done) noexcept {
     constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return Number(done.template result<first>());
@@ -251,11 +250,17 @@ private:
   }
 
   // a separate function, not a lambda: compilers do not inline lambdas here, and the slots stay in memory
-  template <class Number, int first, int columns, class Matrix, int... index>
-  [[gnu::always_inline]] static void fill(const lower::unrolled_tape<code, Number>& done, Matrix& m,
+  template <class Number, int first, int columns, class Done, class Matrix, int... index>
+  [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
-    const int order[]{0, (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
-    static_cast<void>(order);
+    if constexpr (lower::is_cut<code, Number>) {
+      for (int i = 0; i < static_cast<int>(sizeof...(index)); ++i)
+        m(i / columns, i % columns) = done.result_at(first + i);
+    } else {
+      const int order[]{0,
+                        (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
+      static_cast<void>(order);
+    }
   }
 
   static constexpr int first_of(std::size_t which) {
@@ -266,19 +271,17 @@ private:
   }
 
   /// Writes in place, because results as large as the derivatives of an arm should not be copied.
-  template <bool with_statuses, class Number, std::size_t... index>
-  [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, Number>& done,
-                                                 std::index_sequence<index...>) noexcept {
-    std::tuple<decltype(with_status_of<with_statuses>(done,
-                                                      collect<Number, first_of(index), wanted>(done)))...>
+  template <bool with_statuses, class Number, class Done, std::size_t... index>
+  [[gnu::always_inline]] static auto collect_all(const Done& done, std::index_sequence<index...>) noexcept {
+    std::tuple<decltype(with_status_of<with_statuses, Number>(
+        done, collect<Number, first_of(index), wanted>(done)))...>
         all;
-    (put<first_of(index), wanted>(done, std::get<index>(all)), ...);
+    (put<first_of(index), wanted, Number>(done, std::get<index>(all)), ...);
     return all;
   }
 
-  template <int first, auto one, class Number, class Result>
-  [[gnu::always_inline]] static void put(const lower::unrolled_tape<code, Number>& done,
-                                         Result& into) noexcept {
+  template <int first, auto one, class Number, class Done, class Result>
+  [[gnu::always_inline]] static void put(const Done& done, Result& into) noexcept {
     constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (requires { into.status; })
       into.status = status_of<Number>(done, std::make_integer_sequence<int, checks>{});

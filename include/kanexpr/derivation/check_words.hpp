@@ -203,6 +203,7 @@ constexpr sentence check_words() {
           "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values", "used_elsewhere"});
     if (System::record.states.size + System::record.dynamics.size + System::record.blocks.size != 0)
       once({"states", "dynamics", "blocks"}); // counting takes long
+    if (System::record.formulation != nullptr) once({"formulation"});
     return found;
   }
 }

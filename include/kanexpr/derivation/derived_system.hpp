@@ -8,6 +8,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/formulation.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
@@ -53,6 +54,13 @@ public:
     if (!mistake()) reader_.check_listed_are_used();
     if (!mistake() && reader_.checks_units() && !reader_.units_fit()) check_units();
     if (reader_.checks_units()) system_.mechanism.stated_units.clear(); // they are inferred separately
+  }
+
+  /// Determines how the equations are formed, and, unless the list is empty, the speeds for which the
+  /// constraints are solved, in place of what the model states. Must precede `derive`.
+  constexpr void formulate(const mechanics::formulation& form, const sequence<int>& dependent_speeds) {
+    system_.mechanism.formulated = form;
+    if (!dependent_speeds.empty()) system_.constraints.dependent_speeds = dependent_speeds;
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the

@@ -9,6 +9,7 @@
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
 #include <kanexpr/describe/pathway.hpp>
+#include <kanexpr/describe/formulation.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/describe/tyre_record.hpp>
 #include <kanexpr/describe/wheel_record.hpp>
@@ -106,9 +107,20 @@ private:
           &r.dependent, &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
       take(*each);
     for (const int number : r.redundant) now_.take(number);
+    if (r.formulation != nullptr) take(*r.formulation);
     for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size, r.blocks.size})
       now_.take(each);
     end("", "systems with the same name");
+  }
+  constexpr void take(const describe::formulation_record& r) {
+    now_.take(16 * static_cast<int>(r.solved_by) + static_cast<int>(r.speeds));
+    for (const describe::frame_formulation_record& each : r.frames) {
+      mention(each.frame), mention(each.axes);
+      now_.take(each.about_the_center ? 1 : 0);
+    }
+    const symbolic::operation_weights& w = r.weights;
+    for (int each : {w.multiplication, w.addition, w.fused, w.division, w.square_root, w.trigonometric, w.other})
+      now_.take(each);
   }
   constexpr void take(const describe::body_record& r) {
     begin();

@@ -14,6 +14,8 @@ namespace kanexpr {
 
 namespace describe {
 
+struct formulation_record;
+
 /// How the equations of motion are derived.
 enum class method : unsigned char { kane, lagrange };
 
@@ -35,6 +37,7 @@ struct system_record {
   listing<block_record> blocks{};
   listing<joint_record> joints{};
   listing<reaction_record> reactions{};
+  const formulation_record* formulation = nullptr; ///< null if the library chooses it
 };
 
 /// A word of a system.

@@ -6,6 +6,7 @@
 #include <kanexpr/runtime/building/constraint_builder.ipp>
 #include <kanexpr/runtime/building/contact_builder.ipp>
 #include <kanexpr/runtime/building/flexible_body_builder.ipp>
+#include <kanexpr/runtime/building/formulation_builder.ipp>
 #include <kanexpr/runtime/building/frame_builder.ipp>
 #include <kanexpr/runtime/building/load_builder.ipp>
 #include <kanexpr/runtime/building/motion_builder.ipp>
@@ -15,5 +16,6 @@
 #include <kanexpr/runtime/building/tyre_builder.ipp>
 #include <kanexpr/runtime/building/vector_builder.ipp>
 #include <kanexpr/runtime/building/wheel_builder.ipp>
+#include <kanexpr/runtime/explain.ipp>
 #include <kanexpr/runtime/model.ipp>
 #include <kanexpr/runtime/staged_derivation.ipp>

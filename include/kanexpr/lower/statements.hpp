@@ -193,6 +193,35 @@ inline statements concluded(statements& all, const sequence<written_value>& resu
   return detail::without_unused(all);
 }
 
+namespace detail {
+
+/// The number of sums that can be evaluated together with a product that nothing else uses.
+inline int fused_sums(const statements& code) {
+  sequence<int> uses(code.lines.size(), 0);
+  for (const statement& line : code.lines) {
+    if (line.is == statement::kind::operation || line.is == statement::kind::choice) ++uses[line.a];
+    if (line.is == statement::kind::choice) ++uses[line.by];
+    if (line.is == statement::kind::choice ||
+        (line.is == statement::kind::operation && symbolic::is_binary(line.op)))
+      ++uses[line.b];
+  }
+  for (int place : code.operands) ++uses[place];
+  for (int place : code.results) ++uses[place];
+  const auto is_single_product = [&](int place) {
+    const statement& line = code.lines[place];
+    return line.is == statement::kind::operation && line.op == operation::multiply && uses[place] == 1;
+  };
+  int fused = 0;
+  for (const statement& line : code.lines)
+    if (line.is == statement::kind::operation &&
+        (line.op == operation::add || line.op == operation::subtract) &&
+        (is_single_product(line.a) || is_single_product(line.b)))
+      ++fused;
+  return fused;
+}
+
+} // namespace detail
+
 /// Returns the cost of one evaluation of the code; all choices that test the same value count as one
 /// comparison.
 inline symbolic::cost cost_of(const statements& code) {
@@ -210,6 +239,7 @@ inline symbolic::cost cost_of(const statements& code) {
         before->op == operation::sin && before->a == line.a)
       --total.trigonometric; // counted with the sine of the same angle
   }
+  total.fused = detail::fused_sums(code);
   return total;
 }
 

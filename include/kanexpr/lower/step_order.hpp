@@ -14,10 +14,11 @@ using symbolic::operation;
 
 /// Orders nodes so that few values are live simultaneously and more of them stay in registers.
 ///
-/// Among the nodes whose operands are available, the one that is the last use of the most values comes next;
-/// ties are resolved by the order of the graph. Products used by only one sum directly precede it, because
-/// processors can contract a product and a sum into one operation. The code accesses arrays directly because
-/// compilers interpret every call.
+/// Among the nodes whose operands are available, the one that is the last use of the most values comes next.
+/// Of several, it is the one after which another node becomes available that shrinks the set of live values
+/// most; further ties are resolved by the order of the graph. Products used by only one sum directly precede
+/// it, because processors can contract a product and a sum into one operation. The code accesses arrays
+/// directly because compilers interpret every call.
 class step_order {
 public:
   /// Orders the `live` nodes of the graph, except leaves and nodes that already have a slot.
@@ -28,13 +29,14 @@ public:
     for (int id : live)
       if (nodes_[id].op > operation::symbol) place_[id] = values_.push(id);
     const int count = values_.size();
-    for (sequence<int>* each : {&uses_of_, &waits_for_, &joined_to_, &first_operand_of_})
+    for (sequence<int>* each :
+         {&uses_of_, &waits_for_, &joined_to_, &first_operand_of_, &gain_of_, &prospect_of_})
       each->resize(count, 0);
     first_user_of_.resize(count + 1, 0);
     rank_of_.resize(count, waiting);
     uses_ = uses_of_.begin(), waits_ = waits_for_.begin(), joins_ = joined_to_.begin();
     first_operand_ = first_operand_of_.begin(), first_user_ = first_user_of_.begin();
-    rank_ = rank_of_.begin();
+    rank_ = rank_of_.begin(), gain_ = gain_of_.begin(), prospect_ = prospect_of_.begin();
     words_ = count / 64 + 1;
     ready_of_.resize(ranks * words_, 0);
     ready_ = ready_of_.begin();
@@ -49,8 +51,11 @@ public:
   step_order& operator=(const step_order&) = delete;
 
   constexpr sequence<int> run() {
-    for (int k = 0, end = values_.size(); k < end; ++k)
-      if (rank_[k] == waiting && waits_[k] == 0) offer(k, rank_now(k));
+    for (int k = 0, end = values_.size(); k < end; ++k) {
+      if (rank_[k] != waiting) continue;
+      if (waits_[k] == 0) offer(k);
+      if (waits_[k] == 1) tell_missing_operand_of(k);
+    }
     while (true) {
       const int k = take();
       if (k == none) return static_cast<sequence<int>&&>(order_);
@@ -61,7 +66,10 @@ public:
 private:
   static constexpr int none = -1;
   static constexpr int waiting = -1, joined = -2, done = -3; ///< used in place of a rank
-  static constexpr int ranks = 6; ///< a step is the last use of at most four values and adds at most one
+  static constexpr int prospects = 3;         ///< none, one that adds no value, one that shrinks the set
+  static constexpr int ranks = 6 * prospects; ///< a step is the last use of at most four values
+  /// If more values are live, memory holds many of them for long, and it pays to keep those that are new few.
+  static constexpr int few = 64;
 
   constexpr int second_operand(const symbolic::node& n) const {
     if (n.op <= operation::power) return n.op == operation::negate ? none : n.b;
@@ -129,7 +137,14 @@ private:
       }
     }
     int place = 0;
-    for (int k = 0; k < count; ++k) first_user_[k] = place += uses_[k];
+    for (int k = 0; k < count; ++k) {
+      first_user_[k] = place += uses_[k];
+      if (rank_[k] != waiting) continue;
+      int gain = uses_[k] > 0 ? 0 : 1;
+      for (int i = first_operand_[k]; operands_[i] != none; ++i)
+        if (uses_[operands_[i]] == 1) ++gain;
+      gain_[k] = gain;
+    }
     first_user_[count] = place;
     users_of_.resize(place);
     users_ = users_of_.begin();
@@ -139,36 +154,38 @@ private:
     }
   }
 
-  /// Returns one plus the number of values by which a step shrinks the live set.
-  constexpr int rank_now(int k) const {
-    int rank = uses_[k] > 0 ? 0 : 1;
-    for (int i = first_operand_[k]; operands_[i] != none; ++i)
-      if (uses_[operands_[i]] == 1) ++rank;
-    return rank;
-  }
-
-  constexpr void offer(int k, int rank) {
-    const int word = k / 64;
+  constexpr void offer(int k) {
+    const int rank = prospects * gain_[k] + prospect_[k], word = k / 64;
     rank_[k] = rank;
     ready_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
     if (count_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
+    filled_ |= 1U << rank;
   }
 
   constexpr void withdraw(int k) {
-    ready_[rank_[k] * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
-    --count_[rank_[k]];
+    const int rank = rank_[k];
+    ready_[rank * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+    if (--count_[rank] == 0) filled_ &= ~(1U << rank);
+  }
+
+  /// Returns the first step of a rank that has some.
+  constexpr int first_of(int rank) {
+    const std::uint64_t* const ready = ready_ + rank * words_;
+    int word = first_[rank];
+    while (ready[word] == 0) ++word;
+    first_[rank] = word;
+    return 64 * word + __builtin_ctzll(ready[word]);
   }
 
   /// Removes and returns the best step that is ready.
   constexpr int take() {
-    int rank = ranks - 1;
-    while (rank >= 0 && count_[rank] == 0) --rank;
-    if (rank < 0) return none;
-    const int begin = rank * words_;
-    int word = first_[rank];
-    while (ready_[begin + word] == 0) ++word;
-    first_[rank] = word;
-    const int k = 64 * word + __builtin_ctzll(ready_[begin + word]);
+    if (filled_ == 0) return none;
+    const int rank = 31 - __builtin_clz(filled_);
+    int k = first_of(rank);
+    if (rank % prospects == 1 && live_ <= few && count_[rank - 1] != 0) {
+      const int other = first_of(rank - 1);
+      if (other < k) k = other;
+    }
     withdraw(k);
     return k;
   }
@@ -183,28 +200,51 @@ private:
         }
     order_.push(id);
     rank_[k] = done;
-    for (int i = first_operand_[k]; operands_[i] != none; ++i)
-      if (--uses_[operands_[i]] == 1) favour_last_user_of(operands_[i]);
-    for (int i = first_user_[k], end = first_user_[k + 1]; i < end; ++i)
-      if (--waits_[users_[i]] == 0) offer(users_[i], rank_now(users_[i]));
+    const int begin = first_user_[k], end = first_user_[k + 1];
+    if (begin < end) ++live_;
+    for (int i = begin; i < end; ++i) {
+      const int missing = --waits_[users_[i]];
+      if (missing == 0) offer(users_[i]);
+      if (missing == 1) tell_missing_operand_of(users_[i]);
+    }
+    for (int i = first_operand_[k]; operands_[i] != none; ++i) {
+      const int left = --uses_[operands_[i]];
+      if (left == 1) favour_last_user_of(operands_[i]);
+      if (left == 0) --live_;
+    }
   }
 
   constexpr void favour_last_user_of(int value) {
     for (int i = first_user_[value]; i < first_user_[value + 1]; ++i) {
       const int user = users_[i];
       if (rank_[user] == done) continue;
-      if (rank_[user] >= 0) {
-        withdraw(user);
-        offer(user, rank_[user] + 1);
-      }
+      if (rank_[user] >= 0) withdraw(user);
+      ++gain_[user];
+      if (rank_[user] >= 0)
+        offer(user);
+      else if (waits_[user] == 1)
+        tell_missing_operand_of(user);
       return;
     }
+  }
+
+  /// Tells the only operand for which a step waits how good this step is.
+  constexpr void tell_missing_operand_of(int k) {
+    const int prospect = gain_[k] < prospects ? gain_[k] : prospects - 1;
+    int i = first_operand_[k];
+    while (rank_[operands_[i]] == done) ++i;
+    const int operand = operands_[i];
+    if (prospect <= prospect_[operand]) return;
+    if (rank_[operand] >= 0) withdraw(operand);
+    prospect_[operand] = prospect;
+    if (rank_[operand] >= 0) offer(operand);
   }
 
   const symbolic::node* nodes_;
   sequence<int> place_of_; ///< the index among the values, by node
   sequence<int> values_{}; ///< the nodes computed by steps
   sequence<int> uses_of_{}, waits_for_{}, joined_to_{}, first_operand_of_{}, first_user_of_{}, rank_of_{};
+  sequence<int> gain_of_{}, prospect_of_{};
   sequence<int> operands_of_{}, users_of_{};
   sequence<std::uint64_t> ready_of_{}; ///< one bit per value, by rank
   sequence<int> order_{};
@@ -215,10 +255,14 @@ private:
   int* first_operand_ = nullptr; ///< the index of its first operand
   int* first_user_ = nullptr;    ///< the index of its first user
   int* rank_ = nullptr;          ///< the rank if ready; otherwise the reason why it is not
+  int* gain_ = nullptr;          ///< one plus the number of values by which it shrinks the live set
+  int* prospect_ = nullptr;      ///< the best gain of a step that waits for it only, bounded
   std::uint64_t* ready_ = nullptr;
-  int words_ = 0;      ///< the number of 64-bit words per rank
-  int count_[ranks]{}; ///< the number of set bits
-  int first_[ranks]{}; ///< no preceding word has a set bit
+  int words_ = 0;            ///< the number of 64-bit words per rank
+  int live_ = 0;             ///< the number of values that steps still need
+  std::uint32_t filled_ = 0; ///< one bit per rank that has steps
+  int count_[ranks]{};       ///< the number of set bits
+  int first_[ranks]{};       ///< no preceding word has a set bit
   const int* operands_ = nullptr;
   int* users_ = nullptr;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
@@ -55,6 +56,7 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
+  sequence<int> columns{}; ///< of each result, or -1; empty if there are few
   sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   sequence<const symbolic::external_function*> externals{};
@@ -140,7 +142,7 @@ private:
   /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
     // whether a node does not depend on any function: sums and products of arguments
-    sequence<char> is_free(slots_.size(), 0);
+    base::zeros<char> is_free(slots_.size());
     char* const free = is_free.begin();
     sequence<int> gathered;
     for (int id : nodes_in_order_) {
@@ -252,6 +254,36 @@ constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
   return tape_from(own, outputs);
 }
 
+namespace detail {
+
+/// The number of sums that can be evaluated together with a product that nothing else uses. The code calls no
+/// functions, because compilers interpret and remember every call.
+constexpr int fused_sums(const tape& t) {
+  constexpr operation add = operation::add, subtract = operation::subtract, multiply = operation::multiply;
+  sequence<int> all_uses(t.slot_count(), 0);
+  int* const uses = all_uses.begin();
+  const instruction *const steps = t.steps.begin(), *const end = t.steps.end();
+  for (const instruction* s = steps; s != end; ++s) {
+    if (s->op >= operation::component) continue; // its operands are listed
+    ++uses[s->a];
+    ++uses[s->b]; // the slot of a number or an argument for operations with one operand
+  }
+  for (int slot : t.operands) ++uses[slot];
+  for (int slot : t.results) ++uses[slot];
+  const int first = t.first_step();
+  int fused = 0;
+  for (const instruction* s = steps; s != end; ++s) {
+    if (s->op != add && s->op != subtract) continue;
+    const int a = s->a, b = s->b;
+    if ((a >= first && uses[a] == 1 && steps[a - first].op == multiply) ||
+        (b >= first && uses[b] == 1 && steps[b - first].op == multiply))
+      ++fused;
+  }
+  return fused;
+}
+
+} // namespace detail
+
 /// Returns the cost of one evaluation of a tape.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
@@ -272,6 +304,7 @@ constexpr symbolic::cost cost_of(const tape& t) {
   }
   for (int op = 0; op < static_cast<int>(operation::component); ++op)
     total.count(static_cast<operation>(op), times[op]);
+  total.fused += detail::fused_sums(t);
   return total;
 }
 

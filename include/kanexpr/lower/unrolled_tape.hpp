@@ -3,6 +3,7 @@
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
+#include <kanexpr/lower/vector_step.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <type_traits>
@@ -60,11 +61,23 @@ public:
 
   template <int index>
   [[gnu::always_inline]] const Number& result() const noexcept {
-    return result_[index];
+    if constexpr (with_vectors)
+      return result_[steps_on_vectors<Code, Number>::place_of(index)];
+    else
+      return result_[index];
+  }
+
+  /// Evaluates a piece of a longer tape: the loads are places in `memory`, and steps whose values other
+  /// pieces use store them at once, so that they need no register until the end.
+  [[gnu::always_inline]] static void run_in(Number* memory) noexcept {
+    run_in(memory, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
+           up_to<angles>{}, up_to<first + first_angle>{}, up_to<2 * angles>{},
+           up_to<tape.sizes.steps - behind>{});
   }
 
 private:
   static constexpr step_plan<Code> plan{};
+  static constexpr bool with_vectors = uses_vectors<Code, Number>();
   static constexpr int first = tape.first_step(), first_angle = tape.sizes.first_angle,
                        angles = tape.sizes.angles, behind = first_angle + 2 * angles;
 
@@ -76,6 +89,9 @@ private:
   static consteval int a(int step) { return tape.a[step]; }
   static consteval int b(int step) { return tape.b[step]; }
   static consteval int slot_of(int result) { return tape.results[result]; }
+
+  /// Numbers are passed by value, because a reference would require them to be in memory.
+  using operand = std::conditional_t<std::is_arithmetic_v<Number>, Number, const Number&>;
 
   /// A single call computes the sines and cosines of all angles that are known at the start; a scalar type
   /// may replace the function that it calls.
@@ -97,19 +113,61 @@ private:
       const Number all[]{given[a(first_angle + 2 * angle)]...};
       scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
-    [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
-    [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
-        given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-        take<plan.what[behind + after]>(
-            slot[a(behind + after)], slot[b(behind + after)],
-            plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
-            plan.what[behind + after] < 0 ? slot : nullptr)...};
-    const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
-    static_cast<void>(order);
+    if constexpr (with_vectors) {
+      const Number before_steps[]{given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...};
+      steps_on_vectors<Code, Number>::run(before_steps, result_);
+    } else {
+      [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
+      [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
+          given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
+          take<plan.what[behind + after]>(
+              slot[a(behind + after)], slot[b(behind + after)],
+              plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
+              plan.what[behind + after] < 0 ? slot : nullptr)...};
+      const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
+      static_cast<void>(order);
+    }
   }
 
-  /// Numbers are passed by value, because a reference would require them to be in memory.
-  using operand = std::conditional_t<std::is_arithmetic_v<Number>, Number, const Number&>;
+  template <int... number, int... load, int... before, int... angle, int... known, int... turned,
+            int... after>
+  [[gnu::always_inline]] static void
+  run_in(Number* memory, std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
+         std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
+         std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
+         std::integer_sequence<int, after...>) noexcept {
+    const Number given[at_least_one(first + first_angle)]{
+        number_as<Number>(tape.numbers[number])..., memory[position(load)]...,
+        kept<Code::to.is_kept[before]>(
+            take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr),
+            memory + place(before))...};
+    [[maybe_unused]] Number sine[at_least_one(angles)], cosine[at_least_one(angles)];
+    if constexpr (angles > 0) {
+      const Number all[]{given[a(first_angle + 2 * angle)]...};
+      scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
+    }
+    [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
+    [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
+        given[known]...,
+        kept<Code::to.is_kept[first_angle + turned]>((turned % 2 == 0 ? sine : cosine)[turned / 2],
+                                                     memory + place(first_angle + turned))...,
+        kept<Code::to.is_kept[behind + after]>(
+            take<plan.what[behind + after]>(
+                slot[a(behind + after)], slot[b(behind + after)],
+                plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
+                plan.what[behind + after] < 0 ? slot : nullptr),
+            memory + place(behind + after))...};
+  }
+
+  static consteval int position(int load) { return tape.loads[load].position; }
+  static consteval int place(int step) { return Code::to.place[step]; }
+
+  /// Returns the value of a step, and stores it if other pieces use it.
+  template <bool is_stored>
+  [[gnu::always_inline]] static Number kept(operand value, [[maybe_unused]] Number* place) noexcept {
+    if constexpr (is_stored) *place = value;
+    return value;
+  }
 
   /// Returns the value of a slot. Only steps that need them receive the scratch memory and the slots.
   template <int what>
@@ -162,7 +220,14 @@ private:
     static_cast<void>(order);
   }
 
-  Number result_[tape.sizes.results > 0 ? tape.sizes.results : 1];
+  static consteval std::size_t places() {
+    if constexpr (with_vectors)
+      return at_least_one(steps_on_vectors<Code, Number>::places);
+    else
+      return at_least_one(tape.sizes.results);
+  }
+
+  Number result_[places()];
 };
 
 } // namespace kanexpr::lower

@@ -298,11 +298,12 @@ private:
 
   std::string preamble(const std::string& called, std::string_view from) const {
     constexpr const char* words =
-        "at axis bodies body by constant coordinate coulomb_friction dot effective_inertia floating "
+        "about_mass_center at axis bodies body by by_articulated_bodies by_elimination constant coordinate "
+        "coulomb_friction dot effective_inertia floating formulation in_absolute_speeds "
         "force_between friction given_length gravity home inertia inertial inertial_ground input inputs "
         "joint_friction joints kane_system loads motor offset own parameter parameter_values parameters pin "
         "planar position_of potential_energy prismatic rigid_body rotated speed state stop torque_between "
-        "weld";
+        "weld written_in";
     const std::size_t links = source_.links.size(), joints = plan_.tree.joints.size();
     return "#pragma once\n\n" + cpp::include("kanexpr/joints.hpp") + cpp::include("kanexpr/kanexpr.hpp") +
            cpp::include("kanexpr/units/implied.hpp") + "\n" + cpp::include("limits") + "\n/// The robot " +
@@ -353,6 +354,7 @@ private:
                                     {"bodies", bodies_},
                                     {"loads", loads_}})
       if (!all.empty()) lines += ",\n" + cpp::wrapped(std::string(10, ' ') + word + "<", all) + ">";
+    if (!plan_.options.formulation.empty()) lines += ",\n" + std::string(10, ' ') + plan_.options.formulation;
     return lines + "> {};\n";
   }
 

@@ -2,9 +2,11 @@
 #include <kanexpr/robots/header_writer.hpp>
 #include <kanexpr/robots/picture_writer.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
+#include <kanexpr/robots/robot_builder.hpp>
 #ifdef KANEXPR_ROBOTS_READ_SDF
 #include <kanexpr/robots/read_sdf.hpp>
 #endif
+#include <kanexpr/runtime/explain.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -12,6 +14,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -22,6 +25,7 @@ struct request {
   reading_options reading{};
   model_options model{};
   bool as_written = false, without_mimic = false, without_damping = false, quiet = false;
+  bool explains = false, is_cheapest = false;
 };
 
 read_robot robot_of(const std::string& file, const reading_options& options) {
@@ -54,6 +58,13 @@ bool draw(const robot& seen, const request& r) {
   return leave(text, r.picture);
 }
 
+/// The forms of the equations of a robot. A header has no names for the axes in which joints are mounted.
+kanexpr::explanation forms_of(const robot& r, const model_options& options) {
+  kanexpr::explain_options how;
+  how.may_use = [](std::string_view frame) { return !frame.ends_with("_home"); };
+  return kanexpr::explain(robot_builder(r, options), how);
+}
+
 int write(request r) {
   const std::string file = std::filesystem::path(r.file).stem().string();
   const std::string name = r.name.empty() ? identifier_from(file) : r.name;
@@ -69,6 +80,12 @@ int write(request r) {
   if (!r.quiet)
     for (const std::string& note : read.notes) std::cerr << "kanexpr-robot: note: " << note << '\n';
   if (!read) return refuse(read.cause());
+  if (r.explains || r.is_cheapest) {
+    const kanexpr::explanation forms = forms_of(read.robot, r.model);
+    if (!forms.mistake.empty()) return refuse(r.file + ": " + forms.mistake);
+    if (r.explains) return std::cout << forms.text(), 0;
+    r.model.formulation = forms.best().word;
+  }
   header_writer writer(read.robot, r.model);
   if (!writer.cause().empty()) return refuse(r.file + ": " + writer.cause());
   if (const std::string renamed = writer.renamed(); !renamed.empty() && !r.quiet)
@@ -105,6 +122,8 @@ int main(int count, char** arguments) {
   app.add_flag_callback(
       "--friction", [&r] { r.model.friction.emplace(); }, "include the dry friction of joints");
   app.add_flag_callback("--stops", [&r] { r.model.stops.emplace(); }, "make the limits of joints stops");
+  app.add_flag("--cheapest", r.is_cheapest, "state the form of the equations in which u' takes the fewest operations");
+  app.add_flag("--explain", r.explains, "print the forms of the equations and what u' costs in each; write nothing");
   app.add_flag("-q,--quiet", r.quiet, "do not print notes about the file and about renamed links and joints");
   CLI11_PARSE(app, count, arguments);
   return write(std::move(r));

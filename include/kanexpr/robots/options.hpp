@@ -3,6 +3,7 @@
 #include <kanexpr/robots/robot.hpp>
 
 #include <optional>
+#include <string>
 
 namespace kanexpr::robots {
 
@@ -50,6 +51,7 @@ struct model_options {
   bool damping = true;             ///< whether to apply the torques −c q̇ of the file
   std::optional<dry_friction> friction{}; ///< whether to apply the dry friction of the file, and its law
   std::optional<limit_stops> stops{};     ///< whether the limits of joints are stops, and their law
+  std::string formulation{}; ///< in a header: the word `formulation<…>` of the system; empty if it has none
 };
 
 /// The gravitational acceleration of a model, in the axes of its root.

@@ -12,6 +12,7 @@
 #include <kanexpr/runtime/building/constraint_builder.hpp>
 #include <kanexpr/runtime/building/contact_builder.hpp>
 #include <kanexpr/runtime/building/flexible_body_builder.hpp>
+#include <kanexpr/runtime/building/formulation_builder.hpp>
 #include <kanexpr/runtime/building/frame_builder.hpp>
 #include <kanexpr/runtime/building/load_builder.hpp>
 #include <kanexpr/runtime/building/motion_builder.hpp>
@@ -75,7 +76,8 @@ class builder : private builder_core,
                 public wheel_builder,
                 public tyre_builder,
                 public motion_builder,
-                public constraint_builder {
+                public constraint_builder,
+                public formulation_builder {
 public:
   explicit builder(std::string_view inertial_frame);
   builder(const builder&) = delete;

@@ -22,7 +22,7 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame)
       point_builder(core()), body_builder(core()), flexible_body_builder(core(), *this, *this),
       beam_builder(core()), load_builder(core()), pathway_builder(core()), block_builder(core(), *this),
       contact_builder(core()), wheel_builder(core(), *this), tyre_builder(core()), motion_builder(core()),
-      constraint_builder(core(), *this) {
+      constraint_builder(core(), *this), formulation_builder(core()) {
   checks_.is_new("frames", inertial_frame, system_.mechanism.frames);
   mechanics::add_inertial_frame(system_.mechanism, inertial_frame);
 }

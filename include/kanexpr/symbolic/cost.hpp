@@ -5,6 +5,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/expand_solves.hpp>
+#include <kanexpr/symbolic/operation_weights.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -18,8 +19,18 @@ struct cost {
   int trigonometric = 0;
   int other = 0;
   int nodes = 0; ///< all operations, including signs but not inputs and constants
+  int square_roots = 0; ///< the part of `other` that are square roots
+  int fused = 0; ///< the sums that can be evaluated together with a product, which nothing else uses
 
   constexpr bool operator==(const cost&) const = default;
+
+  /// The cost on a target.
+  constexpr long long weighted(const operation_weights& by) const {
+    const long long plain = 1LL * by.multiplication * (multiplications - fused) +
+                            1LL * by.addition * (additions - fused) + 1LL * by.fused * fused;
+    return plain + 1LL * by.division * divisions + 1LL * by.square_root * square_roots +
+           1LL * by.trigonometric * trigonometric + 1LL * by.other * (other - square_roots);
+  }
 
   constexpr void count(operation op, int times = 1) {
     nodes += times;
@@ -31,7 +42,10 @@ struct cost {
     case form::subtract: additions += times; break;
     case form::multiply: multiplications += times; break;
     case form::divide: divisions += times; break;
-    case form::function: (properties_of(op).is_trigonometric ? trigonometric : other) += times; break;
+    case form::function:
+      (properties_of(op).is_trigonometric ? trigonometric : other) += times;
+      if (op == operation::sqrt) square_roots += times;
+      break;
     case form::binary_function:
       (binary_properties_of(op).is_trigonometric ? trigonometric : other) += times;
       break;
@@ -46,11 +60,16 @@ struct cost {
   constexpr void count_factorization(int order) {
     const int comparisons = order * (order - 1) / 2, updates = (order - 1) * order * (2 * order - 1) / 6;
     count(comparisons + updates, comparisons + updates, order); // a multiplier is a product
+    fused += updates;
   }
-  constexpr void count_substitution(int order) { count(order * order, order * (order - 1), 0); }
+  constexpr void count_substitution(int order) {
+    count(order * order, order * (order - 1), 0);
+    fused += order * (order - 1);
+  }
   constexpr void count_singularity_measure(int order) {
     const int updates = (order - 1) * order * (2 * order - 1) / 6;
     count(2 * order + order * (order - 1) / 2 + updates, updates + order - 1, 1);
+    fused += updates;
     count(operation::sqrt);
   }
 
@@ -65,8 +84,33 @@ private:
 
 namespace detail {
 
+/// Whether a sum can be evaluated together with one of its operands, a product that nothing else uses.
+constexpr bool takes_in_product(const graph& g, const node& n, const sequence<int>& uses) {
+  if (n.op != operation::add && n.op != operation::subtract) return false;
+  return (g[n.a].op == operation::multiply && uses[n.a] == 1) ||
+         (g[n.b].op == operation::multiply && uses[n.b] == 1);
+}
+
+/// How often each live node is used.
+constexpr sequence<int> uses_of_nodes(const graph& g, const sequence<char>& live,
+                                      const sequence<int>& outputs) {
+  sequence<int> uses(g.size(), 0);
+  int* const use = uses.begin(); // compilers interpret every call
+  const char* const is_live = live.begin();
+  const node* const nodes = g.begin();
+  for (int id = 0, end = live.size(); id < end; ++id) {
+    const node& n = nodes[id];
+    if (is_live[id] == 0 || is_leaf(n.op)) continue;
+    ++use[n.a];
+    if (is_binary(n.op) && !has_index_operand(n.op)) ++use[n.b];
+  }
+  for (int id : outputs) ++uses[id];
+  return uses;
+}
+
 constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
   const sequence<char> live = live_nodes(g, outputs);
+  const sequence<int> uses = uses_of_nodes(g, live, outputs);
   cost total;
   for (int id = 0; id < g.size(); ++id) {
     const node& n = g[id];
@@ -79,6 +123,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
       total.count_substitution(order_of(g, n.a));
     else if (n.op == operation::singularity_measure)
       total.count_singularity_measure(order_of(g, n.a));
+    if (takes_in_product(g, n, uses)) ++total.fused;
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
     if (sine >= 0 && live[sine] != 0) --total.trigonometric;
@@ -104,6 +149,8 @@ constexpr cost added(cost total, const cost& c, int times = 1) {
   total.trigonometric += times * c.trigonometric;
   total.other += times * c.other;
   total.nodes += times * c.nodes;
+  total.square_roots += times * c.square_roots;
+  total.fused += times * c.fused;
   return total;
 }
 

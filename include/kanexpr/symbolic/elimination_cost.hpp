@@ -24,6 +24,7 @@ constexpr cost elimination_cost(const matrix& m) {
     const int updates = others * (others + 1) / 2 + 2 * others; // of M, of f and of x
     total.count(operation::multiply, updates + others + 1);
     total.count(operation::subtract, updates);
+    total.fused += updates;
     for (int i = 0; i < n; ++i) {
       if (positions[i] >= 0 || left.entry[p * n + i] == graph::zero) continue;
       --left.degree[i];

@@ -93,6 +93,8 @@ struct comparison {
     };
     expect_solution(found(quantity::udot), "udot");
     expect_solution(recipe::number(m, by_articulated_bodies(derived)), "udot by articulated bodies");
+    const int variant = static_cast<int>(m.frames.size() + m.points.size()) % 4; // one of the forms
+    expect_solution(recipe::number(m, in_other_form(variant)), "udot in form " + std::to_string(variant));
     EXPECT_EQ(derived.mistake().view(), "");
   }
 
@@ -100,6 +102,19 @@ struct comparison {
     kanexpr::symbolic::matrix f = derived.get(quantity::forcing);
     f.entries = kanexpr::mechanics::articulated_bodies(derived.skeleton_used()).solve(f.entries).x;
     return f;
+  }
+
+  // With random axes and reference points, other speeds and either solution.
+  kanexpr::symbolic::matrix in_other_form(int variant) const {
+    namespace mechanics = kanexpr::mechanics;
+    mechanics::multibody_system other(b.system());
+    mechanics::formulation& form = other.mechanism.formulated;
+    form.solved_by =
+        variant % 2 == 0 ? mechanics::solution::elimination : mechanics::solution::articulated_bodies;
+    if (variant >= 2) form.speeds = mechanics::internal_speeds::absolute;
+    const int frames = other.mechanism.frames.size();
+    for (int f = 1; f < frames; ++f) form.frames.push({f, (7 * f + 5 * variant) % frames, (f + variant) % 3 == 0});
+    return equations(other).get(quantity::udot);
   }
 
   // Every point and frame, and F_r*, with accelerations for some rates of the speeds.

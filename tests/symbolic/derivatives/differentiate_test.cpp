@@ -2,6 +2,7 @@
 #include "symbolic/random_formula.hpp"
 
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian_modes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -170,6 +171,33 @@ TEST_F(differentiate_each, output_of_an_accumulation) {
   both.run();
   EXPECT_EQ(both.by(x), b);
   EXPECT_EQ(both.by(y), number(0));
+}
+
+TEST_F(differentiate_each, output_with_a_part_held) {
+  const expression held = x * y, other = held * a + x;
+  accumulation back(g, {other});
+  back.hold(held);
+  back.seed(other, number(1));
+  back.run();
+  EXPECT_EQ(back.by(x), number(1));
+  EXPECT_EQ(back.by(a), held);
+  EXPECT_EQ(back.by(y), number(0));
+}
+
+TEST_F(differentiate_each, symbol_in_the_mode_that_visits_fewer_operations) {
+  // all outputs depend on x through many operations; only the last operation of one output depends on y
+  const expression start = sin(exp(x * a) + z);
+  const sequence<int> one = nodes_of(sequence<expression>{start * b * y});
+  const jacobian_modes gradient(g, one, {x, a, b, z, y}, {});
+  EXPECT_LT(gradient.by_both(), gradient.by_forward());
+  EXPECT_FALSE(gradient.is_forward(0));
+  const expression next = start * b;
+  const sequence<int> several = nodes_of(sequence<expression>{next * y, next * next, next * z, sin(next)});
+  const jacobian_modes column(g, several, {x}, {});
+  EXPECT_TRUE(column.is_forward(0));
+  const jacobian_modes all(g, several, {x, a, b, z, y}, {}), held(g, several, {x, a, b, z, y}, {next});
+  EXPECT_LT(held.by_forward(), all.by_forward());
+  EXPECT_LT(held.by_both(), all.by_both());
 }
 
 TEST_F(total_time_derivative, follows_every_rate) {

@@ -94,6 +94,49 @@ TEST(solve_symmetric, costs_no_more_than_the_structure_asks_for) {
   EXPECT_EQ(cost_for(arrow).divisions, n);
 }
 
+/// A base of two unknowns with three branches of three unknowns each, whose right-hand sides are zero except
+/// in one branch, in one unknown, or everywhere.
+TEST(solve_symmetric, prepares_for_columns_that_are_zero_in_whole_branches) {
+  constexpr int base = 2, length = 3, n = base + 3 * length;
+  std::mt19937 engine(8);
+  Eigen::MatrixXd root = random_matrix(engine, n, 1);
+  for (int i = base; i < n; ++i)
+    for (int j = base; j < n; ++j)
+      if ((i - base) / length != (j - base) / length) root(i, j) = 0;
+  root.topRightCorner(base, n - base).setZero();
+  const Eigen::MatrixXd a = root.transpose() * root + Eigen::MatrixXd::Identity(n, n);
+  const Eigen::VectorXd b = random_matrix(engine, n, 1).col(0);
+  const auto solved = [&](bool is_prepared, int& operations) {
+    linear_system s(a, b, true);
+    symmetric_factorization m(s.g, s.entries());
+    matrix right(s.g, n, 3 * length + 4);
+    for (int j = 0; j < right.columns; ++j)
+      for (int i = 0; i < n; ++i) {
+        const bool is_within = i < base || (i - base) / length == j / length || j == 3 * length;
+        if (j <= 3 * length ? is_within : i == 3 * j - 28) right(i, j) = s.right()[i];
+      }
+    if (is_prepared) m.prepare_for(right);
+    Eigen::MatrixXd x(n, right.columns);
+    sequence<int> outputs;
+    for (int j = 0; j < right.columns; ++j) {
+      sequence<expression> column;
+      for (int i = 0; i < n; ++i) column.push(right(i, j) * constant(s.g, exactly(j + 1)));
+      const sequence<expression> found = m.solve(column).x;
+      x.col(j) = s.value_of(found);
+      for (const expression e : found) outputs.push(e.node());
+      const Eigen::VectorXd expected = a.ldlt().solve(s.value_of(column));
+      EXPECT_LE((x.col(j) - expected).norm(), 1e-13 * (1 + expected.norm()) * a.norm()) << j;
+    }
+    const cost c = cost_of(s.g, outputs);
+    operations = c.multiplications + c.additions;
+    return x;
+  };
+  int prepared = 0, unprepared = 0;
+  const Eigen::MatrixXd x = solved(true, prepared), y = solved(false, unprepared);
+  EXPECT_LE((x - y).norm(), 1e-13 * x.norm() * a.norm());
+  EXPECT_LT(prepared, unprepared - 50);
+}
+
 Eigen::VectorXd column_of(const linear_system& s, const matrix& x, int column) {
   sequence<expression> entries;
   for (int i = 0; i < x.rows; ++i) entries.push(x(i, column));

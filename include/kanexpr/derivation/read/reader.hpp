@@ -5,6 +5,7 @@
 #include <kanexpr/derivation/read/constraint_reader.hpp>
 #include <kanexpr/derivation/read/dynamics_reader.hpp>
 #include <kanexpr/derivation/read/flexible_reader.hpp>
+#include <kanexpr/derivation/read/formulation_reader.hpp>
 #include <kanexpr/derivation/read/joint_reader.hpp>
 #include <kanexpr/derivation/read/lagrange_reader.hpp>
 #include <kanexpr/derivation/read/load_reader.hpp>
@@ -111,6 +112,8 @@ public:
     kinematics_.add_simple();
     constraints_.visit_constraints();
     each(from.used_elsewhere, [&](const phrase& p) { symbols_.mention_elsewhere(p); });
+    if (from.formulation != nullptr && !reading_.mistake)
+      read_formulation(*from.formulation, reading_, entities_);
     if (!reading_.mistake) symbols_.place_added_inputs();
     symbols_.check_values_are_used();
   }

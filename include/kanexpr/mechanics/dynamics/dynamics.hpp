@@ -2,12 +2,13 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/acceleration_constraints.hpp>
+#include <kanexpr/mechanics/dynamics/absolute_speeds.hpp>
 #include <kanexpr/mechanics/dynamics/articulated_bodies.hpp>
-#include <kanexpr/mechanics/dynamics/formulation.hpp>
 #include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/kane.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
 #include <kanexpr/mechanics/dynamics/reactions.hpp>
+#include <kanexpr/mechanics/dynamics/solution_cost.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -26,7 +27,7 @@ public:
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_,
-          self.is_by_articulated_bodies_, self.bias_, self.dependent_, self.free_mass_, self.coupling_,
+          self.has_other_form_, self.bias_, self.dependent_, self.free_mass_, self.coupling_,
           self.mass_, self.lambda_, self.free_force_, self.force_, self.udot_, self.udot_by_elimination_,
           self.pivots_);
   }
@@ -127,7 +128,7 @@ public:
 
   /// u̇ of all speeds by the elimination of M, which derivatives of u̇ need in any case.
   constexpr const sequence<expression>& accelerations_by_elimination() {
-    if (!accelerations().empty() && !is_by_articulated_bodies_) return udot_;
+    if (!accelerations().empty() && !has_other_form_) return udot_;
     if (udot_by_elimination_.empty())
       udot_by_elimination_ = of_all_speeds(symbolic::solve_symmetric(*m_.g, mass(), force()));
     return udot_by_elimination_;
@@ -223,15 +224,25 @@ public:
   }
 
 private:
-  /// u̇ of the independent speeds, in the form with the fewest operations.
+  /// u̇ of the independent speeds, in the form that the model determines, otherwise in the cheapest one.
   constexpr symbolic::symmetric_solution solved_for_accelerations() {
     const symbolic::matrix& m = mass();
     const sequence<expression>& f = force();
-    if (is_tree() && may_pay_by_articulated_bodies(s_, m, f)) {
+    if (!is_tree()) return symbolic::solve_symmetric(*m_.g, m, f);
+    const formulation& form = m_.formulated;
+    const bool is_given = form.solved_by == solution::articulated_bodies;
+    if (form.speeds == internal_speeds::absolute) {
+      const absolute_speeds internal(s_);
+      has_other_form_ = internal.is_any();
+      if (has_other_form_) return internal.solve(loads_, is_given);
+    }
+    const bool is_open = form.solved_by == solution::cheapest;
+    if (is_given || (is_open && may_pay_by_articulated_bodies(s_, m, f, form.weights))) {
       symbolic::symmetric_solution solved = articulated_bodies(s_).solve(f);
       for (symbolic::pivot& p : solved.pivots) p.entry = m(p.place, p.place);
-      is_by_articulated_bodies_ = operations_of(solved) < operations_by_elimination(m, f);
-      if (is_by_articulated_bodies_) return solved;
+      has_other_form_ = is_given || cost_of(solved).weighted(form.weights) <
+                                        cost_by_elimination(m, f).weighted(form.weights);
+      if (has_other_form_) return solved;
     }
     return symbolic::solve_symmetric(*m_.g, m, f);
   }
@@ -312,7 +323,7 @@ private:
   const constraints& constraints_;
   const partition& speeds_;
   lagrange_equations lagrange_{s_, loads_};
-  bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false, is_by_articulated_bodies_ = false;
+  bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false, has_other_form_ = false;
   sequence<expression> bias_{};
   dependent_speeds dependent_{};
   symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};

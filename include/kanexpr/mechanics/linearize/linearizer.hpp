@@ -2,11 +2,14 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/linearize/combined_rates.hpp>
 #include <kanexpr/mechanics/linearize/linearization.hpp>
 #include <kanexpr/mechanics/linearize/variations.hpp>
+#include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian_modes.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -89,17 +92,22 @@ public:
     return rows_of(g_, rates(), rows, form_.inputs());
   }
 
-  /// δf in M δu̇_i = δf for each direction, without multipliers.
+  /// δf in M (δu̇_i − δe) = δf for each direction, without multipliers, where δe are the `direct_changes`.
   constexpr const symbolic::matrix& changes_of_force() {
-    if (force_.rows != 0) return force_;
-    const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
-    sequence<expression> all = force;
-    all.append(form_.f_a);
-    if (force.size() < active_directions(all)) // not ?:, whose temporary g++ 12 mishandles
-      force_ = changes_by_reverse(force);
-    else
-      force_ = changes_by_forward(force);
+    if (force_.rows == 0) force_ = cheapest_changes(force_with_direct_changes());
     return force_;
+  }
+
+  /// The same by forward differentiation, which shares its steps with derivatives of second order.
+  constexpr const symbolic::matrix& changes_of_force_by_forward() {
+    if (force_by_forward_.rows == 0) force_by_forward_ = changes_by_forward(force_with_direct_changes());
+    return force_by_forward_;
+  }
+
+  /// The part of δu̇_i that requires no solution, as the change of gravity in the axes of a free body.
+  constexpr const symbolic::matrix& direct_changes() {
+    force_with_direct_changes();
+    return direct_;
   }
 
   /// δb in δu̇_d = A δu̇_i + δb for each direction.
@@ -138,10 +146,12 @@ private:
   /// pass. (Defined before its callers, because clang++ instantiates it there.)
   template <class Take>
   constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
-                                   const symbolic::matrix& weights, const Take& take) const {
+                                   const symbolic::matrix& weights, const sequence<combined_rate>& held,
+                                   const Take& take) const {
     sequence<expression> all = of;
     all.append(more);
     symbolic::accumulation back(g_, all);
+    for (const combined_rate& each : held) back.hold(each.sum);
     for (int i = 0; i < of.size(); ++i) {
       back.restart();
       back.seed(of[i], {g_, graph::one});
@@ -157,7 +167,7 @@ private:
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
     if (has_no_dependents() && of.size() < active_directions(of)) {
-      for_each_gradient(of, {}, {}, [&](int i, int j, expression slope) { out(i, j) = slope; });
+      for_each_gradient(of, {}, {}, {}, [&](int i, int j, expression slope) { out(i, j) = slope; });
       return out;
     }
     for (int j = 0; j < variations_.size(); ++j) {
@@ -205,7 +215,8 @@ private:
   /// differentiated.
   constexpr symbolic::matrix accelerations() {
     const symbolic::matrix& change = changes_of_force();
-    const symbolic::symmetric_factorization mass(g_, form_.known.mass);
+    symbolic::symmetric_factorization mass(g_, form_.known.mass);
+    mass.prepare_for(change);
     symbolic::matrix out(g_, change.rows, variations_.size());
     sequence<int> moved; // for each direction, the only speed whose equation it changes
     for (int j = 0; j < out.columns; ++j) {
@@ -218,7 +229,62 @@ private:
       add_pivots(rates.pivots);
     }
     add_columns_of_inverse(out, mass, change, moved);
+    for (int i = 0; i < direct_.rows; ++i)
+      for (int j = 0; j < direct_.columns; ++j) out(i, j) += direct_(i, j);
     return out;
+  }
+
+  /// −(f_2 + f_3). Separates the sums in which rates are combined with other terms, and the changes of the
+  /// rates that cancel the changes of these terms.
+  constexpr sequence<expression> force_with_direct_changes() {
+    const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
+    if (!form_.f_a.empty() || direct_.rows != 0) return force;
+    combined_ = combined_rates(force, form_.udot);
+    sequence<expression> sums;
+    for (const combined_rate& each : combined_) sums.push(each.sum);
+    const explicit_linearization change = along_all(sums);
+    direct_ = symbolic::matrix(g_, force.size(), variations_.size());
+    for (int k = 0; k < combined_.size(); ++k)
+      for (int j = 0; j < direct_.columns; ++j)
+        direct_(combined_[k].speed, j) = combined_[k].is_negative ? change(k, j) : -change(k, j);
+    return force;
+  }
+
+  /// The changes of the force in the form with the fewest operations.
+  constexpr symbolic::matrix cheapest_changes(const sequence<expression>& force) {
+    if (!form_.f_a.empty() || !has_no_dependents()) {
+      sequence<expression> all = force;
+      all.append(form_.f_a);
+      if (force.size() < active_directions(all)) return changes_by_reverse(force);
+      return changes_by_forward(force);
+    }
+    sequence<expression> states, held;
+    for (int j = 0; j < variations_.states(); ++j) states.push(variations_.symbol(j));
+    for (const combined_rate& each : combined_) held.push(each.sum);
+    const symbolic::jacobian_modes modes(g_, symbolic::nodes_of(force), states, held);
+    if (modes.by_forward() < modes.by_both()) return changes_by_forward(force);
+    symbolic::matrix out = changes_by_reverse(force);
+    const auto operations = [&](const symbolic::matrix& m) {
+      const symbolic::cost c = symbolic::cost_of(g_, symbolic::nodes_of(m.entries));
+      return c.multiplications + c.additions;
+    };
+    // the estimate does not include shared results, of which forward differentiation has more
+    if (10 * modes.by_forward() < 11 * modes.by_both())
+      if (const symbolic::matrix other = changes_by_forward(force); operations(other) < operations(out))
+        return other;
+    for (int j = 0; j < states.size(); ++j) {
+      if (!modes.is_forward(j)) continue;
+      symbolic::differentiation d = along_without_sums(j);
+      for (int i = 0; i < out.rows; ++i) out(i, j) = d.of(force[i]);
+    }
+    return out;
+  }
+
+  /// The derivatives along a direction, with the sums in which rates are combined held constant.
+  constexpr symbolic::differentiation along_without_sums(int j) const {
+    symbolic::differentiation d = variations_.along(j);
+    for (const combined_rate& each : combined_) d.set_rate(each.sum, {g_, graph::zero});
+    return d;
   }
 
   /// The index of the only nonzero entry, or none.
@@ -266,7 +332,7 @@ private:
 
   constexpr symbolic::matrix changes_by_reverse(const sequence<expression>& force) {
     symbolic::matrix out(g_, force.size(), variations_.size());
-    for_each_gradient(force, form_.f_a, constraint_weights(),
+    for_each_gradient(force, form_.f_a, constraint_weights(), combined_,
                       [&](int i, int j, expression slope) { out(i, j) = slope; });
     return out;
   }
@@ -275,7 +341,7 @@ private:
     const symbolic::matrix bias = acceleration_bias();
     symbolic::matrix out(g_, force.size(), variations_.size());
     for (int j = 0; j < out.columns; ++j) {
-      symbolic::differentiation d = variations_.along(j);
+      symbolic::differentiation d = along_without_sums(j);
       for (int i = 0; i < out.rows; ++i) {
         out(i, j) = d.of(force[i]);
         for (int k = 0; k < bias.rows; ++k) out(i, j) -= form_.known.coupling(k, i) * bias(k, j);
@@ -304,7 +370,9 @@ private:
   implicit_linearization implicit_{};
   explicit_linearization explicit_{};
   symbolic::matrix rates_{};
-  symbolic::matrix force_{}, bias_{}; ///< the changes of force and bias; formed again after a restore
+  symbolic::matrix force_{}, force_by_forward_{}, direct_{},
+      bias_{}; ///< changes; formed again after a restore
+  sequence<combined_rate> combined_{};
   sequence<symbolic::pivot> pivots_{};
 };
 

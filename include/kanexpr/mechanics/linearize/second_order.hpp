@@ -179,10 +179,12 @@ private:
     bool is_zero = true;
     for (const expression& e : of) is_zero = is_zero && e.is_zero();
     if (is_zero) return;
-    const symbolic::matrix &force = first_.changes_of_force(), &bias = first_.changes_of_bias();
+    const symbolic::matrix &force = first_.changes_of_force_by_forward(), &direct = first_.direct_changes(),
+                           &bias = first_.changes_of_bias();
     const sequence<expression> taken = solved(reduced(of));
     for (int j = 0; j < through.columns; ++j) {
       for (int i = 0; i < force.rows; ++i) through(row, j) += taken[i] * force(i, j);
+      for (int i = 0; i < direct.rows; ++i) through(row, j) += of[i] * direct(i, j);
       for (int k = 0; k < bias.rows; ++k) through(row, j) += of[form_.speeds.dependent[k]] * bias(k, j);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/formulation.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
@@ -102,6 +103,7 @@ struct mechanism {
   sequence<body> bodies{};
   sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
+  formulation formulated{}; ///< how the equations are formed, as far as the model determines it
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
   sequence<expected_unit> expected_units{};
   sequence<function_value> function_values{}; ///< only while the model is read for its units
@@ -117,7 +119,7 @@ struct mechanism {
     visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
           self.state_variables, self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by,
-          self.stated_units, self.expected_units);
+          self.formulated, self.stated_units, self.expected_units);
   }
 
   /// Discards what was read only for units, after the given number of expected units.

@@ -131,6 +131,7 @@ constexpr components express(const mechanism& m, const components& v, int from, 
 /// Expresses a sum over frames in the axes of one frame. The running sum starts at the farthest frame, is
 /// transformed rotation by rotation, and collects the other parts on its path.
 constexpr components express(const mechanism& m, const vector& v, int to) {
+  if (v.parts.size() == 1) return express(m, v.parts[0].value, v.parts[0].frame, to); // most vectors
   sequence<vector::part> left = v.parts;
   components total(*m.g);
   while (!left.empty()) {

@@ -108,7 +108,7 @@ constexpr void choose_body_axes(skeleton& s) {
 
 /// Chooses the working axes of all frames. They are the body axes, except for successive frames that rotate
 /// about parallel axes: these share the axes of the preceding frame, in which the common axis is constant, so
-/// that no transformation is needed between them.
+/// that no transformation is needed between them. The formulation of the model may determine others.
 constexpr void choose_working_axes(skeleton& s) {
   s.working_axes = s.body_axes;
   const bool planar = detail::planar(s);
@@ -123,6 +123,11 @@ constexpr void choose_working_axes(skeleton& s) {
         s.working_axes[below] = s.working_axes[s.rigid_with[s.model->frames[below].parent]];
       s.working_axes[f] = s.working_axes[below];
     }
+  }
+  for (const formulation_of_frame& given : s.model->formulated.frames) {
+    const int f = s.rigid_with[given.frame];
+    if (given.axes != none && f != mechanism::inertial && !detail::carries_flexible_body(s, f))
+      s.working_axes[f] = given.axes;
   }
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     s.body_axes[f] = s.body_axes[s.rigid_with[f]];

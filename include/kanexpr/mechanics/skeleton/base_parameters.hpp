@@ -26,7 +26,7 @@ public:
         const link l = links_[i];
         links_[i].station = none;
         const station& at = s_.stations[c];
-        if (l.frame == at.frame && at.rigid && !at.absolute)
+        if (l.frame == at.frame && at.rigid && !at.absolute && !is_about_its_center(l.frame))
           put({at.parent, l.frame, shifted(l.mass, at.r)});
         else if (regroup)
           settled_.push(without_unobservable_part(l));
@@ -37,6 +37,13 @@ public:
   }
 
 private:
+  /// Whether the formulation of the model keeps the masses of a frame at their centers.
+  constexpr bool is_about_its_center(int f) const {
+    for (const formulation_of_frame& given : s_.model->formulated.frames)
+      if (given.about_the_center && s_.rigid_with[given.frame] == f) return true;
+    return false;
+  }
+
   constexpr void put(const link& added) {
     for (link& l : links_)
       if (l.station == added.station && l.frame == added.frame) {

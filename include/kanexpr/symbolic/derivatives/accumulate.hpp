@@ -38,11 +38,17 @@ public:
     for (int id : order_) adjoints_[id] = graph::zero;
   }
 
+  /// Treats a node as a symbol in all passes: the gradient does not reach its operands through it.
+  constexpr void hold(expression e) {
+    if (held_.empty()) held_.resize(graph_.size(), 0);
+    held_[e.node()] = 1;
+  }
+
   constexpr void run() {
     for (int id : order_) {
       const node n = graph_[id];
       const int adjoint = adjoints_[id];
-      if (adjoint == graph::zero || is_leaf(n.op)) continue;
+      if (adjoint == graph::zero || is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
       if (n.op == operation::component)
         adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
       else if (is_solution(n.op))
@@ -158,8 +164,9 @@ private:
 
   graph& graph_;
   sequence<int> adjoints_;
-  sequence<int> uses_;  ///< the number of uses by live nodes
-  sequence<int> order_; ///< live nodes, users first
+  sequence<int> uses_;    ///< the number of uses by live nodes
+  sequence<int> order_;   ///< live nodes, users first
+  sequence<char> held_{}; ///< by node, empty if none is held
 };
 
 } // namespace kanexpr::symbolic

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -33,7 +34,7 @@ public:
   static constexpr int one = 1;
 
   constexpr graph() {
-    allocate(1 << 9);
+    allocate(least_room);
     constant(exactly(0));
     constant(exactly(1));
   }
@@ -41,13 +42,11 @@ public:
       : numbers_(other.numbers_), symbols_(other.symbols_), externals_(other.externals_),
         has_lists_(other.has_lists_) {
     allocate(other.room_);
-    insert_all(other.nodes_, other.size_);
+    copy(other.nodes_, other.size_);
+    index_nodes(other.size_);
   }
   graph& operator=(const graph&) = delete;
-  constexpr ~graph() {
-    delete[] nodes_;
-    delete[] table_;
-  }
+  constexpr ~graph() { delete[] nodes_; }
 
   constexpr int size() const { return size_; }
   /// Whether the graph contains any part of a linear system or a call, live or not.
@@ -80,12 +79,12 @@ public:
 
   constexpr int constant(const number& value) {
     const int place = place_of(value);
-    if (table_[place] >= 0) return table_[place];
+    if (table_[place] != 0) return table_[place] - 1;
     return append({operation::constant, numbers_.push(value), 0}, place);
   }
 
   /// The node of a constant, or -1 if there is none.
-  constexpr int find_constant(const number& value) const { return table_[place_of(value)]; }
+  constexpr int find_constant(const number& value) const { return table_[place_of(value)] - 1; }
 
   /// The node of a symbol; symbols are equal if their kinds and names are equal.
   constexpr int variable(const symbol& wanted) {
@@ -99,23 +98,23 @@ public:
   /// The number of an existing node, or -1 if there is none.
   constexpr int find(const node& wanted) const {
     unsigned place = hash(wanted) & hash_mask_;
-    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & hash_mask_]) {
-      const node& present = nodes_[id];
-      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
+    for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
+      const node& present = nodes_[next - 1];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;
     }
     return -1;
   }
 
   constexpr int find_or_append(const node& wanted) {
     unsigned place = hash(wanted) & hash_mask_;
-    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & hash_mask_]) {
-      const node& present = nodes_[id];
-      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
+    for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
+      const node& present = nodes_[next - 1];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;
     }
     if (size_ == room_ || wanted.op >= operation::pair) return append(wanted, static_cast<int>(place));
-    table_[place] = size_;
     nodes_[size_] = wanted;
-    return size_++;
+    table_[place] = ++size_;
+    return size_ - 1;
   }
 
   /// What a graph contains at some time.
@@ -131,8 +130,8 @@ public:
     for (; size_ > kept.nodes; --size_) { // the last node first, so that the slots of all others stay valid
       const node& last = nodes_[size_ - 1];
       unsigned place = (last.op == operation::constant ? hash(numbers_[last.a]) : hash(last)) & hash_mask_;
-      while (table_[place] != size_ - 1) place = (place + 1) & hash_mask_;
-      table_[place] = -1;
+      while (table_[place] != size_) place = (place + 1) & hash_mask_;
+      table_[place] = 0;
     }
     while (numbers_.size() > kept.numbers) numbers_.pop();
     while (symbols_.size() > kept.symbols) symbols_.pop();
@@ -145,34 +144,39 @@ public:
                          const int* a, const int* b, int nodes) {
     numbers_ = static_cast<sequence<number>&&>(numbers);
     symbols_ = static_cast<sequence<symbol>&&>(symbols);
-    int room = 1 << 9;
-    while (nodes > room) room *= 4;
+    int room = least_room;
+    while (2 * nodes > room) room *= 4; // for the nodes that are added
     allocate(room);
     for (int id = 0; id < nodes; ++id) nodes_[id] = {op[id], a[id], b[id]};
-    insert_all(nodes_, nodes);
+    index_nodes(nodes);
   }
 
 private:
+  static constexpr int least_room = 1 << 9;
+
   static constexpr unsigned hash(const number& value) {
     const std::uint64_t fraction =
         static_cast<std::uint64_t>(value.numerator) * 31 + static_cast<std::uint64_t>(value.denominator);
     const auto real = std::bit_cast<std::uint64_t>(value.real);
-    return hash(node{operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32))});
+    const unsigned mixed = (static_cast<unsigned>(fraction) * 2654435761u) ^
+                           (static_cast<unsigned>(real ^ (real >> 32)) * 2246822519u);
+    return mixed ^ (mixed >> 15);
   }
   /// Takes a reference, because g++ caches every constexpr call whose arguments are plain values, and there
-  /// are many such calls.
+  /// are many such calls. The factors are small, because g++ stores every number that occurs in a constant
+  /// expression once: numbers that occur often cost neither time nor memory.
   static constexpr unsigned hash(const node& n) {
-    const unsigned mixed = (static_cast<unsigned>(n.a) * 2654435761u) ^
-                           (static_cast<unsigned>(n.b) * 2246822519u) ^
-                           (static_cast<unsigned>(n.op) * 3266489917u);
-    return mixed ^ (mixed >> 15);
+    if (!__builtin_is_constant_evaluated()) // where the number of nodes is not limited
+      return static_cast<unsigned>(n.a) * 211u + static_cast<unsigned>(n.b) * 5u +
+             static_cast<unsigned>(n.op);
+    return static_cast<unsigned>(n.a * 211 + n.b * 5 + static_cast<int>(n.op));
   }
 
   /// The slot of a constant in the hash table, or the free slot where it belongs.
   constexpr int place_of(const number& wanted) const {
     unsigned place = hash(wanted) & hash_mask_;
-    for (; table_[place] >= 0; place = (place + 1) & hash_mask_) {
-      const node& present = nodes_[table_[place]];
+    for (; table_[place] != 0; place = (place + 1) & hash_mask_) {
+      const node& present = nodes_[table_[place] - 1];
       if (present.op == operation::constant && numbers_[present.a] == wanted) break;
     }
     return static_cast<int>(place);
@@ -184,9 +188,9 @@ private:
       grow(added);
       return size_ - 1;
     }
-    table_[place] = size_;
     nodes_[size_] = added;
-    return size_++;
+    table_[place] = ++size_;
+    return size_ - 1;
   }
   constexpr void grow(const node& added) {
     const node kept = added; // `added` may refer to one of these nodes
@@ -194,19 +198,22 @@ private:
     const int count = size_;
     nodes_ = nullptr;
     allocate(4 * room_);
-    insert_all(before, count);
+    copy(before, count);
     delete[] before;
     nodes_[count] = kept;
-    insert_all(nodes_, count + 1, count);
+    index_nodes(count + 1);
   }
 
-  /// Inserts distinct nodes in order, from `first` on; `all` may be the array of nodes itself.
-  constexpr void insert_all(const node* all, int count, int first = 0) {
-    for (int id = first; id < count; ++id) {
-      const node n = nodes_[id] = all[id];
+  constexpr void copy(const node* all, int count) {
+    for (int id = 0; id < count; ++id) nodes_[id] = all[id];
+  }
+  /// Enters distinct nodes into the hash table.
+  constexpr void index_nodes(int count) {
+    for (int id = 0; id < count; ++id) {
+      const node& n = nodes_[id];
       unsigned place = (n.op == operation::constant ? hash(numbers_[n.a]) : hash(n)) & hash_mask_;
-      while (table_[place] >= 0) place = (place + 1) & hash_mask_;
-      table_[place] = id;
+      while (table_[place] != 0) place = (place + 1) & hash_mask_;
+      table_[place] = id + 1;
       if (n.op >= operation::pair) has_lists_ = true;
     }
     size_ = count;
@@ -215,19 +222,18 @@ private:
   /// Allocates an empty graph; the table has at least twice as many slots as nodes.
   constexpr void allocate(int nodes) {
     delete[] nodes_;
-    delete[] table_;
     room_ = nodes;
-    const unsigned places = 2 * static_cast<unsigned>(nodes);
     nodes_ = new node[static_cast<unsigned>(nodes)];
-    table_ = new int[places];
-    hash_mask_ = places - 1;
-    for (unsigned place = 0; place <= hash_mask_; ++place) table_[place] = -1;
+    places_ = base::zeros<int>(2 * nodes);
+    table_ = places_.begin();
+    hash_mask_ = 2 * static_cast<unsigned>(nodes) - 1;
   }
 
   node* nodes_ = nullptr;
   int size_ = 0;
   int room_ = 0;
-  int* table_ = nullptr; ///< open addressing; -1 marks a free slot
+  base::zeros<int> places_{};
+  int* table_ = nullptr; ///< open addressing: one more than the number of a node; 0 marks a free slot
   unsigned hash_mask_ = 0;
   sequence<number> numbers_{};
   sequence<symbol> symbols_{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -25,7 +26,7 @@ struct solves_of_factors {
 class expansion {
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
-      : g_(g), live_(live_nodes(g, outputs)), image_(g.size(), 0), uses_of_(g.size(), -1) {
+      : g_(g), live_(live_nodes(g, outputs)), image_(g.size()), uses_of_(g.size(), -1) {
     const char* const live = live_.begin();
     const node* const nodes = g.begin();
     for (int id = 0, end = live_.size(); id < end; ++id)
@@ -161,7 +162,7 @@ private:
 
   graph& g_;
   sequence<char> live_;
-  sequence<int> image_;
+  base::zeros<int> image_;
   sequence<int> uses_of_; ///< by node of the factorization
   sequence<solves_of_factors> uses_{};
   graph trial_{};

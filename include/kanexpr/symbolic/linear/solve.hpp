@@ -98,6 +98,30 @@ public:
   symmetric_factorization(const symmetric_factorization&) = delete;
   symmetric_factorization& operator=(const symmetric_factorization&) = delete;
 
+  /// Prepares for many right-hand sides, the columns of a matrix. Where the right-hand sides of a whole
+  /// branch are zero, as those of one leg if the joints of another leg move, its unknowns follow from those
+  /// outside of the branch. These dependencies are formed where they save operations in all columns together.
+  constexpr void prepare_for(const matrix& right) {
+    sequence<char> filled(n_ * right.columns, 0); // whether an entry is nonzero once it is reduced
+    sequence<int> weights(right.columns, 0);
+    for (int j = 0; j < right.columns; ++j) {
+      char* const of = filled.begin() + j * n_;
+      int count = 0;
+      for (int i = 0; i < n_; ++i) {
+        of[i] = right(i, j).is_zero() ? 0 : 1;
+        count += of[i];
+      }
+      // nothing to do, a column of the inverse, of which half follows by symmetry, or a whole column
+      weights[j] = count < 2 ? count : 2;
+      for (int p : order_)
+        for (int i = 0; i < n_; ++i)
+          if (of[p] != 0 && factors_[p * n_ + i] != graph::zero) of[i] = 1;
+    }
+    is_within_ = sequence<char>(n_ * n_, 0);
+    responses_ = factors_;
+    for (int step = n_ - 1; step >= 0; --step) respond(order_[step], filled, weights);
+  }
+
   constexpr symmetric_solution solve(const sequence<expression>& f) const {
     symmetric_solution solved;
     solved.pivots = pivots_;
@@ -151,6 +175,61 @@ private:
     }
   }
 
+  /// Forms the dependency of one unknown on those outside of its branch.
+  constexpr void respond(int p, const sequence<char>& filled, const sequence<int>& weights) {
+    const int* const own = factors_.begin() + p * n_;
+    int direct = 0, formed = 0, remaining = 0, uses = 0, of_all = 0;
+    sequence<int> zeros(n_, 0); // the number of columns in which both right-hand sides are zero
+    sequence<char> within(n_, 0), outside(n_, 0);
+    for (int j = 0; j < weights.size(); ++j) {
+      const char* const of = filled.begin() + j * n_;
+      if (of[p] != 0 || weights[j] == 0) continue;
+      ++of_all;
+      for (int k = 0; k < n_; ++k)
+        if (of[k] == 0) ++zeros[k];
+    }
+    for (int k = 0; k < n_; ++k) {
+      if (own[k] == graph::zero) continue;
+      ++direct;
+      within[k] = 2 * zeros[k] > of_all ? 1 : 0;
+    }
+    for (int k : order_) // an unknown on which another one of these depends is not replaced
+      for (int i = 0; i < n_ && within[k] != 0; ++i)
+        if (responses_[k * n_ + i] != graph::zero) within[i] = 0;
+    sequence<char> branch = within; // with the unknowns that these replace themselves
+    for (int k = 0; k < n_; ++k)
+      for (int i = 0; i < n_ && within[k] != 0; ++i)
+        if (is_within_[k * n_ + i] != 0) branch[i] = 1;
+    for (int j = 0; j < weights.size(); ++j) {
+      const char* const of = filled.begin() + j * n_;
+      bool is_zero = of[p] == 0;
+      for (int k = 0; k < n_; ++k) is_zero = is_zero && (branch[k] == 0 || of[k] == 0);
+      if (is_zero) uses += weights[j];
+    }
+    for (int k = 0; k < n_; ++k) {
+      if (own[k] != graph::zero && within[k] == 0) outside[k] = 1;
+      for (int i = 0; i < n_ && within[k] != 0; ++i)
+        if (responses_[k * n_ + i] != graph::zero) outside[i] = 1, ++formed;
+    }
+    for (int i = 0; i < n_; ++i) remaining += outside[i];
+    if (uses * (direct - remaining) <= 2 * formed) return;
+    for (int i = 0; i < n_; ++i) {
+      is_within_[p * n_ + i] = branch[i];
+      int sum = outside[i] != 0 ? own[i] : graph::zero;
+      for (int k = 0; k < n_ && outside[i] != 0; ++k)
+        if (within[k] != 0) sum = subtract(g_, sum, multiply(g_, own[k], responses_[k * n_ + i]));
+      responses_[p * n_ + i] = sum;
+    }
+  }
+
+  /// Whether an unknown follows from those outside of its branch.
+  constexpr bool is_response(int p, const sequence<int>& right) const {
+    if (is_within_.empty() || right[p] != graph::zero) return false;
+    for (int k = 0; k < n_; ++k)
+      if (is_within_[p * n_ + k] != 0 && right[k] != graph::zero) return false;
+    return true;
+  }
+
   constexpr void note(int p, int quotient, sequence<pivot>& all) const {
     record_pivot(all, p, {g_, quotient}, {g_, left_.entry[p * n_ + p]}, diagonal_[p]);
   }
@@ -173,9 +252,10 @@ private:
     } else {
       sum = multiply(g_, right[p], inverses_[p]);
     }
+    const sequence<int>& factors = is_response(p, right) ? responses_ : factors_;
     for (int i = 0; i < n_; ++i)
-      if (factors_[p * n_ + i] != graph::zero)
-        sum = subtract(g_, sum, multiply(g_, factors_[p * n_ + i], x[i]));
+      if (factors[p * n_ + i] != graph::zero)
+        sum = subtract(g_, sum, multiply(g_, factors[p * n_ + i], x[i]));
     return sum;
   }
 
@@ -187,6 +267,9 @@ private:
   sequence<int> inverses_, factors_; ///< row p: the multipliers of pivot p
   sequence<int> positions_;          ///< in the elimination order, by row
   sequence<pivot> pivots_{};
+  sequence<int>
+      responses_{}; ///< row p: the multipliers of unknown p if the right-hand sides of its branch are zero
+  sequence<char> is_within_{}; ///< row p: the unknowns of its branch that these multipliers replace
 };
 
 /// Solves one system M x = f.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -16,7 +17,7 @@ namespace kanexpr::symbolic {
 class finiteness {
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
-      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size(), 0),
+      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size()),
         facts_of_(facts_.begin()) {
     const sequence<char> is_live = live_nodes(g, outputs);
     const char* const live = is_live.begin();
@@ -42,7 +43,7 @@ public:
   /// The minimal set of outputs to check: if one is not finite, neither are sums or products of it.
   constexpr sequence<int> outputs_to_check() const {
     if (!any_fails_) return {};
-    sequence<char> is_covered(size_, 0), is_output(size_, 0);
+    base::zeros<char> is_covered(size_), is_output(size_);
     char* const covered = is_covered.begin();
     char* const output = is_output.begin();
     for (int id : outputs_) output[id] = 1;
@@ -62,7 +63,7 @@ public:
   /// that are checked elsewhere.
   constexpr sequence<int> suspicious_symbols(const sequence<int>& known_divisors) const {
     if (!any_originates_) return {};
-    sequence<char> is_known(size_, 0), is_reached(size_, 0);
+    base::zeros<char> is_known(size_), is_reached(size_);
     char* const reached = is_reached.begin();
     for (int id : known_divisors) is_known[id] = 1;
     for (int id = size_ - 1; id >= 0; --id) {
@@ -143,7 +144,7 @@ private:
   int size_;
   const graph& g_;
   const sequence<int>& outputs_;
-  sequence<int> facts_; ///< by node
+  base::zeros<int> facts_; ///< by node
   int* facts_of_;
   bool any_originates_ = false, any_fails_ = false;
 };
@@ -159,7 +160,7 @@ constexpr int unsimplified_sum(graph& g, const sequence<int>& nodes) {
 
 /// Whether nodes depend on symbols only through sines and cosines, so that no symbol can make them large.
 constexpr bool depend_only_on_angles(const graph& g, const sequence<int>& nodes) {
-  sequence<char> is_reached(g.size(), 0);
+  base::zeros<char> is_reached(g.size());
   char* const reached = is_reached.begin();
   const node* const all = g.begin();
   for (int id : nodes) reached[id] = 1;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/formulation.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/cost.hpp>
@@ -11,31 +11,32 @@
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
-/// The choice between two forms of the same equations by the number of their operations.
+/// The choice between two solutions of the same equations by what their operations cost.
 namespace kanexpr::mechanics {
 
-constexpr int operations_of(const symbolic::cost& c) { return c.multiplications + c.additions + c.divisions; }
+using symbolic::operation_weights;
 
-/// The operations of u̇ = M⁻¹ f by composite bodies and elimination of M, including M and f.
-constexpr int operations_by_elimination(const symbolic::matrix& mass, const sequence<expression>& force) {
+/// The cost of u̇ = M⁻¹ f by composite bodies and elimination of M, including M and f.
+constexpr symbolic::cost cost_by_elimination(const symbolic::matrix& mass,
+                                             const sequence<expression>& force) {
   sequence<expression> all = force;
   for (int i = 0; i < mass.rows; ++i)
     for (int j = 0; j <= i; ++j) all.push(mass(i, j));
   const symbolic::cost formed = symbolic::cost_of(all[0].owner(), symbolic::nodes_of(all));
-  return operations_of(formed) + operations_of(symbolic::elimination_cost(mass));
+  return added(formed, symbolic::elimination_cost(mass));
 }
 
-/// The operations of a solution, with the entries to which its pivots are compared.
-constexpr int operations_of(const symbolic::symmetric_solution& solved) {
+/// The cost of a solution, with the entries to which its pivots are compared.
+constexpr symbolic::cost cost_of(const symbolic::symmetric_solution& solved) {
   sequence<expression> all = solved.x;
   for (const symbolic::pivot& p : solved.pivots) all.push(p.entry);
-  return operations_of(symbolic::cost_of(all[0].owner(), symbolic::nodes_of(all)));
+  return symbolic::cost_of(all[0].owner(), symbolic::nodes_of(all));
 }
 
-/// Whether a solution by articulated bodies may have fewer operations, judged by a lower bound of its
-/// operations for each speed. Forming a solution that is not used costs compile time.
+/// Whether a solution by articulated bodies may cost less, judged by a lower bound for each speed. Forming a
+/// solution that is not used costs compile time.
 constexpr bool may_pay_by_articulated_bodies(const skeleton& s, const symbolic::matrix& mass,
-                                             const sequence<expression>& force) {
+                                             const sequence<expression>& force, const operation_weights& by) {
   struct threshold {
     int speeds, operations;
   };
@@ -44,8 +45,10 @@ constexpr bool may_pay_by_articulated_bodies(const skeleton& s, const symbolic::
   for (int axes : s.working_axes) is_planar = is_planar && axes == mechanism::inertial;
   const threshold fewest = is_planar ? in_plane : in_space;
   if (mass.rows < fewest.speeds) return false;
-  const int formed = operations_of(symbolic::cost_of(*s.model->g, symbolic::nodes_of(force)));
-  return operations_by_elimination(mass, force) - formed > fewest.operations * mass.rows;
+  const symbolic::cost formed = symbolic::cost_of(*s.model->g, symbolic::nodes_of(force));
+  const long long mean = (by.multiplication + by.addition + 1) / 2;
+  return cost_by_elimination(mass, force).weighted(by) - formed.weighted(by) >
+         mean * fewest.operations * mass.rows;
 }
 
 } // namespace kanexpr::mechanics

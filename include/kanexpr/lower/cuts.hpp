@@ -1,0 +1,252 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/lower/tape.hpp>
+#include <kanexpr/numeric/elimination.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <cstdint>
+
+namespace kanexpr::lower {
+
+/// The positions at which a long tape is cut into pieces, and the places in memory of the values that several
+/// pieces use.
+struct cuts {
+  static constexpr int none = -1;
+
+  sequence<int> first{};         ///< the first step of each piece, followed by the number of steps
+  sequence<int> first_input{};   ///< of each piece, followed by the number of inputs of all pieces
+  sequence<int> first_operand{}; ///< of the linear steps of each piece, followed by the number of operands
+  sequence<int> first_linear{};  ///< the first linear step of each piece, followed by their number
+  sequence<int> numbers{};       ///< how many inputs of each piece are numbers; they precede the others
+  sequence<int> inputs{};        ///< slots that a piece reads but does not fill, in their order
+  sequence<int> a{}, b{};        ///< of each step, as slots of its piece, which follow the inputs
+  sequence<int> operands{};      ///< of the linear steps, as slots of their pieces
+  sequence<int> factors{};       ///< of the linear steps, as slots of their pieces
+  sequence<int> place{};         ///< of each slot; none if only the piece that fills it reads it
+  int places = 0;
+};
+
+namespace detail {
+
+/// Cuts a tape where few values are live, into pieces of about the same length.
+///
+/// A value that later pieces read, an argument or a result has a place in memory. A place is used again only
+/// by pieces that follow the last one that reads it, so that within a piece all places are distinct. The code
+/// accesses arrays directly because compilers interpret every call.
+class cutting {
+public:
+  /// Steps before `uncut` remain in the first piece.
+  constexpr cutting(const tape_view& t, int uncut, int length)
+      : tape_(t), count_(t.steps.size()), slots_(t.slot_count()), first_step_(t.first_step()), uncut_(uncut),
+        length_(length), op_(t.steps.op), a_(t.steps.a), b_(t.steps.b), last_uses_(slots_, cuts::none),
+        changes_(count_ + 2, 0), last_use_(last_uses_.begin()), change_(changes_.begin()) {}
+  cutting(const cutting&) = delete;
+  cutting& operator=(const cutting&) = delete;
+
+  constexpr cuts run() {
+    find_last_uses();
+    count_live_values();
+    join_steps();
+    choose_cuts();
+    assign_places();
+    number_slots_of_pieces();
+    return static_cast<cuts&&>(found_);
+  }
+
+private:
+  static constexpr int factors_of(const linear_step& e) {
+    const bool none = e.op == operation::factorization || e.op == operation::call;
+    return none ? 0 : numeric::factors{e.order}.size();
+  }
+
+  constexpr void find_last_uses() {
+    for (int step = 0; step < count_; ++step) {
+      const operation op = op_[step];
+      if (op >= operation::pair) continue;
+      last_use_[a_[step]] = step;
+      if (op <= operation::divide ? op != operation::negate : symbolic::is_binary(op))
+        last_use_[b_[step]] = step;
+    }
+    const auto use = [&](int slot, int step) {
+      if (last_use_[slot] < step) last_use_[slot] = step;
+    };
+    for (const linear_step& e : tape_.linear_steps) {
+      for (int i = 0; i < e.inputs(); ++i) use(tape_.operands[e.operands + i], e.step);
+      for (int i = 0; i < factors_of(e); ++i) use(e.factors + i, e.step);
+    }
+  }
+
+  /// Counts the values that steps before each step compute and later ones read.
+  constexpr void count_live_values() {
+    for (int step = 0; step < count_; ++step) {
+      const int last = last_use_[first_step_ + step];
+      if (last <= step) continue;
+      ++change_[step + 1];
+      --change_[last + 1];
+    }
+    int live = 0;
+    for (int step = 0; step <= count_; ++step) change_[step] = live += change_[step];
+  }
+
+  /// Excludes steps that must not begin a piece: all but the first of a step that fills several slots, and a
+  /// sum that follows its products, because processors can contract both into one operation.
+  constexpr void join_steps() {
+    constexpr int joined = 1 << 30;
+    for (int step = 0; step < count_; ++step) {
+      if (op_[step] == operation::multiply) {
+        const int last = last_use_[first_step_ + step];
+        if (last == step + 1 || last == step + 2) change_[step + 1] = change_[last] = joined;
+      } else if (op_[step] == operation::cos && tape_.steps.paired[step]) {
+        change_[step] = joined;
+      }
+    }
+    for (const linear_step& e : tape_.linear_steps)
+      for (int k = 1; k < e.outputs(); ++k) change_[e.step + k] = joined;
+    for (int step = 0; step <= uncut_ && step < count_; ++step) change_[step] = joined;
+  }
+
+  constexpr void choose_cuts() {
+    const int slack = length_ / 4;
+    int begin = 0;
+    found_.first.push(begin);
+    while (count_ - begin > length_ + slack) {
+      int best = count_;
+      for (int step = begin + length_ - slack; step < count_; ++step) {
+        if (best != count_ && change_[best] < slots_ && step > begin + length_ + slack) break;
+        if (best == count_ || change_[step] < change_[best]) best = step;
+      }
+      if (change_[best] > slots_) break; // all are joined
+      found_.first.push(begin = best);
+    }
+    found_.first.push(count_);
+  }
+
+  constexpr void assign_places() {
+    sequence<int> places(slots_, cuts::none);
+    int* const place = places.begin();
+    for (int i = 0; i < tape_.loads.size(); ++i) place[tape_.numbers.size() + i] = found_.places++;
+    for (int slot : tape_.results)
+      if (place[slot] == cuts::none) place[slot] = found_.places++;
+    const int pieces = found_.first.size() - 1;
+    sequence<int> released(pieces, cuts::none); // a list of the places that each piece is the last to read
+    sequence<int> following(found_.places + count_, cuts::none), free; // by place
+    for (int piece = 0; piece < pieces; ++piece) {
+      const int end = found_.first[piece + 1];
+      for (int step = found_.first[piece]; step < end; ++step) {
+        const int last = last_use_[first_step_ + step];
+        if (last < end || place[first_step_ + step] != cuts::none) continue;
+        int reader = piece + 1;
+        while (found_.first[reader + 1] <= last) ++reader;
+        int own = found_.places;
+        if (free.empty()) {
+          ++found_.places;
+        } else {
+          own = free.back();
+          free.pop();
+        }
+        place[first_step_ + step] = own;
+        following[own] = released[reader];
+        released[reader] = own;
+      }
+      for (int each = released[piece]; each != cuts::none; each = following[each]) free.push(each);
+    }
+    found_.place = static_cast<sequence<int>&&>(places);
+  }
+
+  /// Numbers the slots of each piece: its numbers, its other inputs and its steps. The inputs are in the
+  /// order of the tape, so that factors remain contiguous.
+  constexpr void number_slots_of_pieces() {
+    found_.a.resize(count_, 0);
+    found_.b.resize(count_, 0);
+    int *const a = found_.a.begin(), *const b = found_.b.begin();
+    sequence<int> numbers_of_slots(slots_, 0);
+    int* const number = numbers_of_slots.begin();
+    int linear = 0;
+    for (int piece = 0; piece + 1 < found_.first.size(); ++piece) {
+      const int begin = found_.first[piece], end = found_.first[piece + 1], filled = first_step_ + begin;
+      const int first_linear = linear;
+      while (linear < tape_.linear_steps.size() && tape_.linear_steps[linear].step < end) ++linear;
+      found_.first_input.push(found_.inputs.size());
+      found_.first_operand.push(found_.operands.size());
+      found_.first_linear.push(first_linear);
+      sequence<std::uint64_t> words(filled / 64 + 1, 0); // one bit for each slot
+      mark_inputs(words.begin(), begin, end, first_linear, linear);
+      const int inputs = list_inputs(words, number);
+      for (int step = begin; step < end; ++step) {
+        const operation op = op_[step];
+        if (op >= operation::pair) continue;
+        const int first = a_[step];
+        a[step] = first < filled ? number[first] : inputs + first - filled;
+        if (op <= operation::divide ? op == operation::negate : !symbolic::is_binary(op)) continue;
+        const int second = b_[step];
+        b[step] = second < filled ? number[second] : inputs + second - filled;
+      }
+      for (int k = first_linear; k < linear; ++k) {
+        const linear_step& e = tape_.linear_steps[k];
+        for (int i = 0; i < e.inputs(); ++i) {
+          const int slot = tape_.operands[e.operands + i];
+          found_.operands.push(slot < filled ? number[slot] : inputs + slot - filled);
+        }
+        if (factors_of(e) == 0)
+          found_.factors.push(e.factors);
+        else
+          found_.factors.push(e.factors < filled ? number[e.factors] : inputs + e.factors - filled);
+      }
+    }
+    found_.first_input.push(found_.inputs.size());
+    found_.first_operand.push(found_.operands.size());
+    found_.first_linear.push(linear);
+  }
+
+  constexpr void mark_inputs(std::uint64_t* word, int begin, int end, int first_linear,
+                             int end_linear) const {
+    const int filled = first_step_ + begin;
+    for (int step = begin; step < end; ++step) {
+      const operation op = op_[step];
+      if (op >= operation::pair) continue;
+      const int first = a_[step];
+      if (first < filled) word[first / 64] |= std::uint64_t{1} << (first % 64);
+      if (op <= operation::divide ? op == operation::negate : !symbolic::is_binary(op)) continue;
+      const int second = b_[step];
+      if (second < filled) word[second / 64] |= std::uint64_t{1} << (second % 64);
+    }
+    const auto mark = [&](int slot) {
+      if (slot < filled) word[slot / 64] |= std::uint64_t{1} << (slot % 64);
+    };
+    for (int k = first_linear; k < end_linear; ++k) {
+      const linear_step& e = tape_.linear_steps[k];
+      for (int i = 0; i < e.inputs(); ++i) mark(tape_.operands[e.operands + i]);
+      for (int i = 0; i < factors_of(e); ++i) mark(e.factors + i);
+    }
+  }
+
+  /// Lists the marked slots and returns their number.
+  constexpr int list_inputs(const sequence<std::uint64_t>& words, int* number) {
+    const int numbers = tape_.numbers.size();
+    int inputs = 0, of_numbers = 0;
+    for (int word = 0; word < words.size(); ++word)
+      for (std::uint64_t rest = words[word]; rest != 0; rest &= rest - 1) {
+        const int slot = 64 * word + __builtin_ctzll(rest);
+        found_.inputs.push(slot);
+        number[slot] = inputs++;
+        if (slot < numbers) ++of_numbers;
+      }
+    found_.numbers.push(of_numbers);
+    return inputs;
+  }
+
+  const tape_view& tape_;
+  int count_, slots_, first_step_, uncut_, length_;
+  const operation* op_;
+  const int *a_, *b_;
+  sequence<int> last_uses_, changes_;
+  int* last_use_; ///< the last step that reads each slot
+  int* change_;   ///< the number of values that are live before each step
+  cuts found_{};
+};
+
+} // namespace detail
+
+} // namespace kanexpr::lower

@@ -1,0 +1,24 @@
+#pragma once
+
+namespace kanexpr::symbolic {
+
+/// What the operations of a function cost on a target, in any unit. The default suits processors with a
+/// floating-point unit. A processor that evaluates a product and the sum that uses it as one operation gives
+/// `fused` the cost of a multiplication; without a unit for `double`, a division costs about four
+/// multiplications and a sine about thirty.
+struct operation_weights {
+  int multiplication = 1;
+  int addition = 1;
+  int fused = 2; ///< a sum and one product that only this sum uses, together
+  int division = 4;
+  int square_root = 6;
+  int trigonometric = 16; ///< the sine and the cosine of one angle, or another trigonometric function
+  int other = 20;         ///< any other function
+
+  constexpr bool operator==(const operation_weights&) const = default;
+
+  /// Whether fused products have to be counted.
+  constexpr bool depends_on_fusing() const { return fused != multiplication + addition; }
+};
+
+} // namespace kanexpr::symbolic
