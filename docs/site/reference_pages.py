@@ -27,7 +27,7 @@ PAGES = [
      "describe/contact.hpp describe/friction.hpp describe/bristle.hpp describe/joints/friction_load.hpp"),
     ("wheels", "Wheels and tyres", "Wheels, the ground on which they roll, and tyres.",
      "describe/wheel.hpp describe/surface.hpp describe/tyre_words.hpp describe/tyre_record.hpp"),
-    ("systems", "Systems", "Systems for Kane's method and for Lagrange's.", "describe/system.hpp describe/extended.hpp"),
+    ("systems", "Systems", "Systems for Kane's method and for Lagrange's.", "describe/system.hpp describe/extended.hpp describe/formulation.hpp"),
     ("constraints", "Constraints", "Configuration and velocity constraints, and auxiliary speeds.", "describe/constraint.hpp"),
     ("results", "Results", "The equations of motion as compiled functions, their arguments and their status.",
      "compiled/equations_of_motion.hpp compiled/function.hpp compiled/state.hpp compiled/named_values.hpp compiled/status.hpp "

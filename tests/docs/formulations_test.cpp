@@ -93,8 +93,8 @@ struct chain : builder {
       kinematic_equation(dot(q) - u);
       const bool about_x = !is_planar && i % 2 == 0;
       frame = rotated("A" + k, frame, q, along(frame, about_x ? 1 : 0, 0, about_x ? 0 : i == 3 ? -1 : 1));
-      rigid_body("B" + k, offset("C" + k, hinge, along(frame, 0.1 * i, -0.4, 0.05)), frame, number(1 + 0.1 * i),
-                 inertia(frame, number(0.2), number(0.15), number(0.1 + 0.01 * i)));
+      rigid_body("B" + k, offset("C" + k, hinge, along(frame, 0.1 * i, -0.4, 0.05)), frame,
+                 number(1 + 0.1 * i), inertia(frame, number(0.2), number(0.15), number(0.1 + 0.01 * i)));
       torque(frame, along(frame, 0, 0, input("T" + k)));
       hinge = offset("P" + k, hinge, along(frame, 0.05, -0.9, 0));
     }
@@ -121,7 +121,9 @@ Eigen::VectorXd udot_of(const builder& b) {
   auto f = m.function(m.udot());
   std::mt19937 dice(5);
   std::uniform_real_distribution<double> any(-1, 1);
-  const auto drawn = [&](Eigen::Index n) { return Eigen::VectorXd::NullaryExpr(n, [&] { return any(dice); }); };
+  const auto drawn = [&](Eigen::Index n) {
+    return Eigen::VectorXd::NullaryExpr(n, [&] { return any(dice); });
+  };
   const Eigen::VectorXd x = drawn(2 * m.mechanism().speeds.size()), r = drawn(m.mechanism().inputs.size());
   const Eigen::VectorXd found = f(0, x, Eigen::VectorXd(), r);
   EXPECT_TRUE(found.allFinite());
@@ -163,7 +165,8 @@ TEST(formulations, are_cheaper_for_a_planar_chain) {
 #include <docs/guide/formulations/builder.cpp>
   EXPECT_EQ(cheapest.mistake(), "");
   EXPECT_LT(forms.best().weighted, 0.95 * static_cast<double>(forms.chosen().weighted));
-  EXPECT_LT(called(forms, "absolute speeds, by elimination").weighted, called(forms, "by elimination").weighted);
+  EXPECT_LT(called(forms, "absolute speeds, by elimination").weighted,
+            called(forms, "by elimination").weighted);
   EXPECT_EQ(explain(b, {.searches = false}).chosen().cost, forms.best().cost);
   EXPECT_EQ(explain(b, {.searches = false}).chosen().called, "as the model states");
 }

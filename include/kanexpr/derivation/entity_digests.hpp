@@ -8,8 +8,8 @@
 #include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
-#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/formulation.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/describe/tyre_record.hpp>
 #include <kanexpr/describe/wheel_record.hpp>
@@ -119,7 +119,8 @@ private:
       now_.take(each.about_the_center ? 1 : 0);
     }
     const symbolic::operation_weights& w = r.weights;
-    for (int each : {w.multiplication, w.addition, w.fused, w.division, w.square_root, w.trigonometric, w.other})
+    for (int each :
+         {w.multiplication, w.addition, w.fused, w.division, w.square_root, w.trigonometric, w.other})
       now_.take(each);
   }
   constexpr void take(const describe::body_record& r) {

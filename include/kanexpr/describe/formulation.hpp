@@ -105,9 +105,9 @@ struct by_articulated_bodies : describe::formulation_parts {
   }
 };
 
-/// In `formulation<...>`: the equations of bodies that rotate about parallel axes of the ground are formed for
-/// their angular velocities in the ground, and u̇ is found from the rates of these. The speeds of the model
-/// remain the same.
+/// In `formulation<...>`: the equations of bodies that rotate about parallel axes of the ground are formed
+/// for their angular velocities in the ground, and u̇ is found from the rates of these. The speeds of the
+/// model remain the same.
 struct in_absolute_speeds : describe::formulation_parts {
   static constexpr void add_to(describe::formulation_record& r) {
     r.speeds = mechanics::internal_speeds::absolute;

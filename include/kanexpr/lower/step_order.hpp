@@ -54,7 +54,7 @@ public:
     for (int k = 0, end = values_.size(); k < end; ++k) {
       if (rank_[k] != waiting) continue;
       if (waits_[k] == 0) offer(k);
-      if (waits_[k] == 1) tell_missing_operand_of(k);
+      if (waits_[k] == 1) raise_missing_operand_of(k);
     }
     while (true) {
       const int k = take();
@@ -68,7 +68,7 @@ private:
   static constexpr int waiting = -1, joined = -2, done = -3; ///< used in place of a rank
   static constexpr int prospects = 3;         ///< none, one that adds no value, one that shrinks the set
   static constexpr int ranks = 6 * prospects; ///< a step is the last use of at most four values
-  /// If more values are live, memory holds many of them for long, and it pays to keep those that are new few.
+  /// While more values than this are live, a step that adds no value is a prospect too.
   static constexpr int few = 64;
 
   constexpr int second_operand(const symbolic::node& n) const {
@@ -205,7 +205,7 @@ private:
     for (int i = begin; i < end; ++i) {
       const int missing = --waits_[users_[i]];
       if (missing == 0) offer(users_[i]);
-      if (missing == 1) tell_missing_operand_of(users_[i]);
+      if (missing == 1) raise_missing_operand_of(users_[i]);
     }
     for (int i = first_operand_[k]; operands_[i] != none; ++i) {
       const int left = --uses_[operands_[i]];
@@ -223,13 +223,13 @@ private:
       if (rank_[user] >= 0)
         offer(user);
       else if (waits_[user] == 1)
-        tell_missing_operand_of(user);
+        raise_missing_operand_of(user);
       return;
     }
   }
 
-  /// Tells the only operand for which a step waits how good this step is.
-  constexpr void tell_missing_operand_of(int k) {
+  /// Raises the prospect of the only operand for which a step waits.
+  constexpr void raise_missing_operand_of(int k) {
     const int prospect = gain_[k] < prospects ? gain_[k] : prospects - 1;
     int i = first_operand_[k];
     while (rank_[operands_[i]] == done) ++i;

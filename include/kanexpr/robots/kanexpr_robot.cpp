@@ -122,8 +122,10 @@ int main(int count, char** arguments) {
   app.add_flag_callback(
       "--friction", [&r] { r.model.friction.emplace(); }, "include the dry friction of joints");
   app.add_flag_callback("--stops", [&r] { r.model.stops.emplace(); }, "make the limits of joints stops");
-  app.add_flag("--cheapest", r.is_cheapest, "state the form of the equations in which u' takes the fewest operations");
-  app.add_flag("--explain", r.explains, "print the forms of the equations and what u' costs in each; write nothing");
+  app.add_flag("--cheapest", r.is_cheapest,
+               "state the form of the equations in which u' takes the fewest operations");
+  app.add_flag("--explain", r.explains,
+               "print the forms of the equations and what u' costs in each; write nothing");
   app.add_flag("-q,--quiet", r.quiet, "do not print notes about the file and about renamed links and joints");
   CLI11_PARSE(app, count, arguments);
   return write(std::move(r));

@@ -57,7 +57,8 @@ struct explain_options {
 
 namespace runtime {
 
-KANEXPR_ENGINE explanation explain_types(const derivation::checked_words& from, const explain_options& options);
+KANEXPR_ENGINE explanation explain_types(const derivation::checked_words& from,
+                                         const explain_options& options);
 
 } // namespace runtime
 

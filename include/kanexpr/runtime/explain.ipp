@@ -43,9 +43,8 @@ public:
     found_.mistake = form_({}, [&](mechanics::equations& e, const symbolic::cost& c) { look_at(e, c); });
     if (!found_.mistake.empty()) return found_;
     compare_solutions("", {});
-    for (const auto& [called, axes] :
-         {std::pair{"axes of each body", &axes_of_system::body::own},
-          std::pair{"axes of the body below", &axes_of_system::body::below}})
+    for (const auto& [called, axes] : {std::pair{"axes of each body", &axes_of_system::body::own},
+                                       std::pair{"axes of the body below", &axes_of_system::body::below}})
       compare_solutions(called, in_axes(axes));
     compare_solutions("axes of the ground", in_axes(nullptr));
     compare_solutions("about the mass centers", about_centers());
@@ -76,7 +75,8 @@ private:
     found_.candidates.push_back({is_stated ? "as the model states" : "chosen by the library", "", c,
                                  c.weighted(options_.weights), given, ""});
     for (const mechanics::frame& f : m.frames) frames_.emplace_back(f.called.view());
-    for (const mechanics::expression& u : m.speeds) speeds_.emplace_back(m.g->symbol_at(u.node()).called.view());
+    for (const mechanics::expression& u : m.speeds)
+      speeds_.emplace_back(m.g->symbol_at(u.node()).called.view());
     dependent_ = e.speeds().dependent;
     bodies_ = axes_of_system(s, options_.may_use).bodies;
     if (m.derived_by == mechanics::method::lagrange)
@@ -90,7 +90,7 @@ private:
       no_absolute_ = "no body rotates on another about a parallel axis, the first of them on the ground";
   }
 
-  mechanics::formulation in_axes(int axes_of_system::body::*axes) const {
+  mechanics::formulation in_axes(int axes_of_system::body::* axes) const {
     mechanics::formulation form;
     for (const axes_of_system::body& b : bodies_)
       form.entry(b.frame).axes = axes == nullptr ? mechanics::mechanism::inertial : b.*axes;

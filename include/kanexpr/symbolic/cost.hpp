@@ -18,9 +18,9 @@ struct cost {
   int divisions = 0;
   int trigonometric = 0;
   int other = 0;
-  int nodes = 0; ///< all operations, including signs but not inputs and constants
+  int nodes = 0;        ///< all operations, including signs but not inputs and constants
   int square_roots = 0; ///< the part of `other` that are square roots
-  int fused = 0; ///< the sums that can be evaluated together with a product, which nothing else uses
+  int fused = 0;        ///< the sums that can be evaluated together with a product, which nothing else uses
 
   constexpr bool operator==(const cost&) const = default;
 

@@ -113,7 +113,8 @@ struct comparison {
         variant % 2 == 0 ? mechanics::solution::elimination : mechanics::solution::articulated_bodies;
     if (variant >= 2) form.speeds = mechanics::internal_speeds::absolute;
     const int frames = other.mechanism.frames.size();
-    for (int f = 1; f < frames; ++f) form.frames.push({f, (7 * f + 5 * variant) % frames, (f + variant) % 3 == 0});
+    for (int f = 1; f < frames; ++f)
+      form.frames.push({f, (7 * f + 5 * variant) % frames, (f + variant) % 3 == 0});
     return equations(other).get(quantity::udot);
   }
 

@@ -77,8 +77,7 @@ private:
     if (below == mechanism::inertial || s_.turns_in[below] != mechanism::inertial) return;
     const partial_velocity *const own = only_partial(f, motions), *const other = only_partial(below, motions);
     if (own == nullptr || other == nullptr) return;
-    const components turned =
-        express(*s_.model, other->value, s_.working_axes[below], s_.working_axes[f]);
+    const components turned = express(*s_.model, other->value, s_.working_axes[below], s_.working_axes[f]);
     const components opposite = -turned;
     const bool is_opposite = are_equal(own->value, opposite);
     if (!is_opposite && !are_equal(own->value, turned)) return;

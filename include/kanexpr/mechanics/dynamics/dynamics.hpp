@@ -26,10 +26,9 @@ public:
   /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_,
-          self.has_other_form_, self.bias_, self.dependent_, self.free_mass_, self.coupling_,
-          self.mass_, self.lambda_, self.free_force_, self.force_, self.udot_, self.udot_by_elimination_,
-          self.pivots_);
+    visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_, self.has_other_form_,
+          self.bias_, self.dependent_, self.free_mass_, self.coupling_, self.mass_, self.lambda_,
+          self.free_force_, self.force_, self.udot_, self.udot_by_elimination_, self.pivots_);
   }
 
   constexpr bool has_dependent() const { return has_dependent_; }

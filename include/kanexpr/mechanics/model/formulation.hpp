@@ -25,7 +25,7 @@ enum class internal_speeds : unsigned char {
 /// The equations of all bodies that move with one frame.
 struct formulation_of_frame {
   int frame = -1;
-  int axes = -1;                ///< the frame in whose axes they are written; -1: chosen by the library
+  int axes = -1;                 ///< the frame in whose axes they are written; -1: chosen by the library
   bool about_the_center = false; ///< about the mass center instead of the joint
 };
 

@@ -103,7 +103,7 @@ struct mechanism {
   sequence<body> bodies{};
   sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
-  formulation formulated{}; ///< how the equations are formed, as far as the model determines it
+  formulation formulated{};             ///< how the equations are formed, as far as the model determines it
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
   sequence<expected_unit> expected_units{};
   sequence<function_value> function_values{}; ///< only while the model is read for its units
