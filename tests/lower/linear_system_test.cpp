@@ -205,7 +205,7 @@ TEST(a_linear_system, of_packs_has_the_bits_of_each_lane) {
 TEST(a_linear_system, in_pieces_has_the_same_bits) {
   constexpr int n = 4;
   using number = Eigen::AutoDiffScalar<Eigen::Vector2d>;
-  static_assert(!lower::is_cut<code<n>> && lower::is_cut<cut_code<n>>);
+  static_assert(!lower::is_cut<code<n>, double> && lower::is_cut<cut_code<n>, double>);
   static_assert(lower::cuts_of<cut_code<n>>::value.pieces > 3); // a factorization and three solutions
   for (unsigned seed = 0; seed < 20; ++seed) {
     const auto at = sample<n>(seed);

@@ -143,7 +143,7 @@ auto disc_jacobian(const kanexpr::state<rolling_disc::System, Number>& x) {
 }
 
 TEST(scalars, have_the_same_bits_in_pieces) {
-  static_assert(kanexpr::lower::is_cut<disc_jacobian_code>);
+  static_assert(kanexpr::lower::is_cut<disc_jacobian_code, double>);
   static_assert(kanexpr::lower::cuts_of<disc_jacobian_code>::value.pieces > 5);
   const disc::state x = disc_state();
   constexpr int n = disc::state::RowsAtCompileTime;
