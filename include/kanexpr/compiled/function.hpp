@@ -253,14 +253,8 @@ private:
   template <class Number, int first, int columns, class Done, class Matrix, int... index>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
-    if constexpr (lower::is_cut<code, Number>) {
-      for (int i = 0; i < static_cast<int>(sizeof...(index)); ++i)
-        m(i / columns, i % columns) = done.result_at(first + i);
-    } else {
-      const int order[]{0,
-                        (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
-      static_cast<void>(order);
-    }
+    const int order[]{0, (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
+    static_cast<void>(order);
   }
 
   static constexpr int first_of(std::size_t which) {

@@ -20,8 +20,8 @@ struct lengths {
 template <class Code>
 inline constexpr lengths lengths_of{};
 
-/// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class that
-/// names `evaluated_tape` derives no code before it is called.
+/// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class
+/// that names `evaluated_tape` derives no code before it is called.
 template <class Code, class Number>
 inline constexpr bool is_cut =
     Code::tape.sizes.steps > lengths_of<Code>.longest_uncut && !uses_vectors<Code, Number>();
@@ -62,65 +62,102 @@ public:
   static constexpr arrays value{};
 };
 
+/// The first step of a piece, its first inputs, and its sizes.
+struct piece_extent {
+  int first = 0, first_input = 0, first_operand = 0, first_linear = 0;
+  tape_sizes sizes{};
+
+  template <class Arrays>
+  constexpr piece_extent(const Arrays& cut, const tape_sizes& whole, int index)
+      : first(cut.first[index]), first_input(cut.first_input[index]), first_operand(cut.first_operand[index]),
+        first_linear(cut.first_linear[index]) {
+    sizes.steps = cut.first[index + 1] - first;
+    sizes.numbers = cut.numbers[index];
+    sizes.loads = cut.first_input[index + 1] - first_input - sizes.numbers;
+    sizes.linear_steps = cut.first_linear[index + 1] - first_linear;
+    sizes.operands = cut.first_operand[index + 1] - first_operand;
+    sizes.externals = whole.externals;
+    if (index == 0) sizes.first_angle = whole.first_angle, sizes.angles = whole.angles;
+  }
+};
+
+/// Whether other pieces read the value of each step of a piece, and its place in memory.
+template <int steps>
+struct destinations {
+  bool is_kept[static_cast<std::size_t>(steps)]{};
+  int place[static_cast<std::size_t>(steps)]{};
+};
+
+// The large arrays are arguments: in g++, each access to a constant by its name may copy it.
+
+template <tape_sizes sizes, class Tape, class Arrays>
+constexpr fixed_tape<sizes> piece_of(const Tape& whole, const Arrays& cut, const piece_extent& extent) {
+  fixed_tape<sizes> piece{};
+  piece.sizes = sizes;
+  for (int i = 0, step = extent.first; i < sizes.steps; ++i, ++step) {
+    piece.op[i] = whole.op[step];
+    piece.paired[i] = whole.paired[step];
+    piece.a[i] = cut.a[step];
+    piece.b[i] = cut.b[step];
+  }
+  for (int i = 0; i < sizes.numbers; ++i)
+    piece.numbers[i] = whole.numbers[cut.inputs[extent.first_input + i]];
+  for (int i = 0; i < sizes.loads; ++i)
+    piece.loads[i].position = cut.place[cut.inputs[extent.first_input + sizes.numbers + i]];
+  for (int i = 0, operands = 0; i < sizes.linear_steps; ++i) {
+    linear_step& e = piece.linear_steps[i];
+    e = whole.linear_steps[extent.first_linear + i];
+    e.step -= extent.first;
+    e.factors = cut.factors[extent.first_linear + i];
+    e.operands = operands;
+    operands += e.inputs();
+  }
+  for (int i = 0; i < sizes.operands; ++i) piece.operands[i] = cut.operands[extent.first_operand + i];
+  for (int i = 0; i < sizes.externals; ++i) piece.externals[i] = whole.externals[i];
+  return piece;
+}
+
+template <int steps, class Arrays>
+constexpr destinations<steps> destinations_of(const Arrays& cut, int first_slot) {
+  destinations<steps> to;
+  for (int i = 0; i < steps; ++i) {
+    const int place = cut.place[first_slot + i];
+    if (place != cuts::none) to.is_kept[i] = true, to.place[i] = place;
+  }
+  return to;
+}
+
 /// A piece of the tape of `Code`, which reads and writes places in memory.
 template <class Code, int index>
 struct piece_code {
 private:
-  static constexpr const auto& whole = Code::tape;
-  static constexpr const auto& cut = cuts_of<Code>::value;
-  static constexpr int first = cut.first[index], first_input = cut.first_input[index],
-                       first_operand = cut.first_operand[index], first_linear = cut.first_linear[index],
-                       numbers = cut.numbers[index];
-  static constexpr tape_sizes sizes{.steps = cut.first[index + 1] - first,
-                                    .numbers = numbers,
-                                    .loads = cut.first_input[index + 1] - first_input - numbers,
-                                    .linear_steps = cut.first_linear[index + 1] - first_linear,
-                                    .operands = cut.first_operand[index + 1] - first_operand,
-                                    .externals = whole.sizes.externals,
-                                    .first_angle = index == 0 ? whole.sizes.first_angle : 0,
-                                    .angles = index == 0 ? whole.sizes.angles : 0};
-
-  static constexpr fixed_tape<sizes> made() {
-    fixed_tape<sizes> piece{};
-    piece.sizes = sizes;
-    for (int i = 0; i < sizes.steps; ++i) {
-      piece.op[i] = whole.op[first + i];
-      piece.paired[i] = whole.paired[first + i];
-      piece.a[i] = cut.a[first + i];
-      piece.b[i] = cut.b[first + i];
-    }
-    for (int i = 0; i < numbers; ++i) piece.numbers[i] = whole.numbers[cut.inputs[first_input + i]];
-    for (int i = 0; i < sizes.loads; ++i)
-      piece.loads[i].position = cut.place[cut.inputs[first_input + numbers + i]];
-    for (int i = 0, operands = 0; i < sizes.linear_steps; ++i) {
-      linear_step& e = piece.linear_steps[i];
-      e = whole.linear_steps[first_linear + i];
-      e.step -= first;
-      e.factors = cut.factors[first_linear + i];
-      e.operands = operands;
-      operands += e.inputs();
-    }
-    for (int i = 0; i < sizes.operands; ++i) piece.operands[i] = cut.operands[first_operand + i];
-    for (int i = 0; i < sizes.externals; ++i) piece.externals[i] = whole.externals[i];
-    return piece;
-  }
+  static constexpr piece_extent extent{cuts_of<Code>::value, Code::tape.sizes, index};
 
 public:
-  static constexpr fixed_tape<sizes> tape = made();
-  /// Whether other pieces read the value of a step, and its place in memory.
-  struct destinations {
-    bool is_kept[static_cast<std::size_t>(sizes.steps)]{};
-    int place[static_cast<std::size_t>(sizes.steps)]{};
-    constexpr destinations() {
-      for (int i = 0, slot = whole.first_step() + first; i < sizes.steps; ++i, ++slot)
-        if (cut.place[slot] != cuts::none) is_kept[i] = true, place[i] = cut.place[slot];
-    }
-  };
-  static constexpr destinations to{};
+  static constexpr fixed_tape<extent.sizes> tape =
+      piece_of<extent.sizes>(Code::tape, cuts_of<Code>::value, extent);
+  static constexpr destinations<extent.sizes.steps> to =
+      destinations_of<extent.sizes.steps>(cuts_of<Code>::value, Code::tape.first_step() + extent.first);
 };
 
-/// Evaluation of a long tape as several functions, because the time and the memory of a compiler grow faster
-/// than the length of a function. The operations and their order are those of `unrolled_tape`.
+/// The places of the results in memory. Numbers that are results are stored before the first piece.
+template <class Code>
+struct result_places {
+  static constexpr std::size_t room = static_cast<std::size_t>(Code::tape.sizes.results) + 1;
+  int of[room]{};
+  int numbers = 0;
+  int number[room]{}, place_of_number[room]{};
+
+  template <class Tape, class Arrays>
+  constexpr result_places(const Tape& tape, const Arrays& cut) {
+    for (int i = 0; i < tape.sizes.results; ++i) of[i] = cut.place[tape.results[i]];
+    for (int i = 0; i < tape.sizes.numbers; ++i)
+      if (cut.place[i] != cuts::none) number[numbers] = i, place_of_number[numbers++] = cut.place[i];
+  }
+};
+
+/// Evaluation of a long tape as several functions, because the time that a compiler needs to optimize a
+/// function grows faster than its length. The operations and their order are those of `unrolled_tape`.
 ///
 /// Values that several pieces use are in one array, each at a constant place; all other values are in
 /// registers.
@@ -133,53 +170,36 @@ public:
   template <class Arguments>
   [[gnu::always_inline]] explicit tape_in_pieces(const Arguments& arguments) noexcept {
     load(arguments, std::make_integer_sequence<int, tape.sizes.loads>{});
-    run(memory_, std::make_integer_sequence<int, cut.pieces>{});
+    run(memory_, std::make_integer_sequence<int, pieces>{},
+        std::make_integer_sequence<int, result_place.numbers>{});
   }
 
   template <int index>
   [[gnu::always_inline]] const Number& result() const noexcept {
     return memory_[place_of_result(index)];
   }
-  /// The result with an index that is known only at run time.
-  [[gnu::always_inline]] const Number& result_at(int index) const noexcept {
-    return memory_[result_place.of[index]];
-  }
 
 private:
-  static constexpr const auto& cut = cuts_of<Code>::value;
+  static constexpr int pieces = cuts_of<Code>::value.pieces, places = cuts_of<Code>::value.places;
+  static constexpr result_places<Code> result_place{tape, cuts_of<Code>::value};
 
-  static consteval int place_of_result(int result) { return cut.place[tape.results[result]]; }
-  struct places_of_results {
-    int of[tape.sizes.results > 0 ? tape.sizes.results : 1]{};
-    constexpr places_of_results() {
-      for (int i = 0; i < tape.sizes.results; ++i) of[i] = cut.place[tape.results[i]];
-    }
-  };
-  static constexpr places_of_results result_place{};
+  static consteval int place_of_result(int result) { return result_place.of[result]; }
+  static consteval int number(int kept) { return result_place.number[kept]; }
+  static consteval int place_of_number(int kept) { return result_place.place_of_number[kept]; }
 
+  /// The arguments have the first places.
   template <class Arguments, int... index>
   [[gnu::always_inline]] void load([[maybe_unused]] const Arguments& arguments,
                                    std::integer_sequence<int, index...>) noexcept {
-    ((memory_[cut.place[tape.sizes.numbers + index]] =
-          arguments.template operator()<tape.loads[index].from, tape.loads[index].position>()),
+    ((memory_[index] = arguments.template operator()<tape.loads[index].from, tape.loads[index].position>()),
      ...);
   }
 
-  template <int... index>
-  [[gnu::noinline]] static void run(Number* memory, std::integer_sequence<int, index...>) noexcept {
-    store_numbers(memory, std::make_integer_sequence<int, tape.sizes.numbers>{});
+  template <int... index, int... kept>
+  [[gnu::noinline]] static void run(Number* memory, std::integer_sequence<int, index...>,
+                                    std::integer_sequence<int, kept...>) noexcept {
+    ((memory[place_of_number(kept)] = number_as<Number>(tape.numbers[number(kept)])), ...);
     (piece<index>(memory), ...);
-  }
-
-  /// Numbers that are results.
-  template <int... number>
-  [[gnu::always_inline]] static void store_numbers(Number* memory,
-                                                   std::integer_sequence<int, number...>) noexcept {
-    (store_number<number, cut.place[number]>(memory), ...);
-  }
-  template <int number, int place>
-  [[gnu::always_inline]] static void store_number([[maybe_unused]] Number* memory) noexcept {
-    if constexpr (place != cuts::none) memory[place] = number_as<Number>(tape.numbers[number]);
   }
 
   template <int index>
@@ -187,7 +207,7 @@ private:
     unrolled_tape<piece_code<Code, index>, Number>::run_in(memory);
   }
 
-  Number memory_[cut.places > 0 ? cut.places : 1];
+  Number memory_[places > 0 ? places : 1];
 };
 
 /// The evaluation of a tape, in pieces if it is long.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/side_by_side.hpp>

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace {
 
 using namespace kanexpr::symbolic;
@@ -126,6 +128,24 @@ TEST_F(rules, hold_while_the_table_grows) {
   e = a;
   for (int i = 0; i < 5000; ++i) ASSERT_EQ(e = sin(e) + number(i + 0.5), made[i]);
   EXPECT_EQ(g.size(), size);
+}
+
+/// The last node and the size of a graph that outgrows its table, after some of it has been forgotten.
+constexpr std::pair<int, int> grown() {
+  graph g;
+  const int x = g.find_or_append({operation::symbol, 0, 0});
+  int sum = x, kept = x;
+  for (int i = 0; i < 300; ++i) sum = add(g, multiply(g, sum, x), g.constant(exactly(i + 2)));
+  const graph::extent before = g.present();
+  for (int i = 0; i < 50; ++i) kept = multiply(g, kept, sum);
+  g.forget_after(before);
+  return {multiply(g, x, sum), g.size()};
+}
+
+TEST_F(rules, hold_while_the_table_grows_in_a_constant_expression) {
+  constexpr std::pair<int, int> at_compile_time = grown();
+  EXPECT_EQ(grown(), at_compile_time);
+  EXPECT_GT(at_compile_time.second, 512);
 }
 
 } // namespace

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::mechanics {
-
-using symbolic::expression;
 
 /// A sum ±u̇ + e that is the only part of the equations in which a rate u̇ appears; e contains no rates.
 ///

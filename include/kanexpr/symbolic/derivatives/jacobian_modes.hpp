@@ -24,10 +24,11 @@ public:
   constexpr jacobian_modes(const graph& g, const sequence<int>& outputs, const sequence<expression>& symbols,
                            const sequence<expression>& held)
       : g_(g), symbols_(symbols.size()), words_((symbols.size() + 63) / 64), live_(live_nodes(g, outputs)),
-        depends_(live_.size() * words_, 0), users_(live_.size(), 0), reverse_(live_.size(), 0),
-        forward_(symbols.size(), 0), is_forward_(symbols.size(), 0) {
+        depends_(live_.size() * words_, 0), active_(live_.size(), 0), users_(live_.size(), 0),
+        reverse_(live_.size(), 0), forward_(symbols.size(), 0), is_forward_(symbols.size(), 0) {
     for (int j = 0; j < symbols_; ++j)
-      if (const int id = symbols[j].node(); id < live_.size()) depends_[id * words_ + j / 64] = bit_of(j);
+      if (const int id = symbols[j].node(); id < live_.size())
+        depends_[id * words_ + j / 64] = bit_of(j), active_[id] = 1;
     sequence<char> is_held(live_.size(), 0);
     for (const expression& e : held)
       if (e.node() < live_.size()) is_held[e.node()] = 1;
@@ -53,27 +54,25 @@ private:
 
   constexpr void visit_operands(int id) {
     const node& n = g_[id];
+    const bool is_of_two = is_binary(n.op);
     ++users_[n.a];
-    if (is_binary(n.op)) ++users_[n.b];
-    for (int w = 0; w < words_; ++w) {
-      word all = depends_[n.a * words_ + w];
-      if (is_binary(n.op)) all |= depends_[n.b * words_ + w];
-      depends_[id * words_ + w] = all;
-    }
-  }
-
-  constexpr bool is_active(int id) const {
-    for (int w = 0; w < words_; ++w)
-      if (depends_[id * words_ + w] != 0) return true;
-    return false;
+    if (is_of_two) ++users_[n.b];
+    if (active_[n.a] == 0 && (!is_of_two || active_[n.b] == 0)) return;
+    active_[id] = 1;
+    word* const all = depends_.begin() + id * words_;
+    const word *const a = depends_.begin() + n.a * words_, *const b = depends_.begin() + n.b * words_;
+    for (int w = 0; w < words_; ++w) all[w] = is_of_two ? a[w] | b[w] : a[w];
   }
 
   /// Counts operations for each symbol on which `a` depends or, if b is given, on which both depend.
-  constexpr void charge(int a, int b = -1, int times = 1) {
+  constexpr void charge(int a, int b = -1) {
+    if (active_[a] == 0 || (b >= 0 && active_[b] == 0)) return;
+    const word* const of = depends_.begin();
+    int* const charged = forward_.begin();
     for (int w = 0; w < words_; ++w) {
-      word left = depends_[a * words_ + w];
-      if (b >= 0) left &= depends_[b * words_ + w];
-      for (; left != 0; left &= left - 1) forward_[64 * w + std::countr_zero(left)] += times;
+      word left = of[a * words_ + w];
+      if (b >= 0) left &= of[b * words_ + w];
+      for (; left != 0; left &= left - 1) ++charged[64 * w + std::countr_zero(left)];
     }
   }
   /// Counts a product with the rate of an operand; the rate of a symbol is 1.
@@ -84,7 +83,7 @@ private:
   constexpr void count_forward(const sequence<char>& is_held) {
     sequence<char> is_within(live_.size(), 0); // a product that belongs to one rotated component only
     for (int id = live_.size() - 1; id >= 0; --id) {
-      if (live_[id] == 0 || is_leaf(g_[id].op) || is_held[id] != 0 || is_within[id] != 0 || !is_active(id))
+      if (live_[id] == 0 || is_leaf(g_[id].op) || is_held[id] != 0 || is_within[id] != 0 || active_[id] == 0)
         continue;
       const node& n = g_[id];
       if (const rotated_component x = rotated_component_at(g_, n)) {
@@ -113,14 +112,14 @@ private:
       ++reverse_[outputs[i]];
     }
     const auto pass = [&](int from, int to, int count, bool is_product) {
-      if (!is_active(to)) return;
+      if (active_[to] == 0) return;
       for (int w = 0; w < words; ++w) reached[to * words + w] |= reached[from * words + w];
       reverse_[to] += count;
       if (is_product && is_unit[from] == 0) reverse_[to] += count;
       if (!is_product && is_unit[from] != 0 && users_[to] == 1) is_unit[to] = 1;
     };
     for (int id = live_.size() - 1; id >= 0; --id) {
-      if (live_[id] == 0) continue;
+      if (live_[id] == 0 || active_[id] == 0) continue;
       int count = 0;
       for (int w = 0; w < words; ++w) count += std::popcount(reached[id * words + w]);
       reverse_[id] -= count; // the first of several parts of an adjoint is not added to anything
@@ -147,16 +146,20 @@ private:
       changes = false;
       int total = 0;
       sequence<int> own(symbols_, 0);
-      for (int id = 0; id < live_.size(); ++id) {
-        int count = 0, only = 0;
-        for (int w = 0; w < words_; ++w)
-          if (const word left = depends_[id * words_ + w] & remaining[w]; left != 0) {
-            count += std::popcount(left);
+      const word *const of = depends_.begin(), *const still = remaining.begin();
+      const char* const active = active_.begin();
+      for (int id = 0, end = live_.size(); id < end; ++id) {
+        if (active[id] == 0) continue;
+        int bits = 0; // of the remaining symbols: none, one or several
+        int only = 0;
+        for (int w = 0; w < words_ && bits < 2; ++w)
+          if (const word left = of[id * words_ + w] & still[w]; left != 0) {
+            bits += (left & (left - 1)) == 0 ? 1 : 2;
             only = 64 * w + std::countr_zero(left);
           }
-        if (count == 0) continue;
+        if (bits == 0) continue;
         total += reverse_[id];
-        if (count == 1) own[only] += reverse_[id];
+        if (bits == 1) own[only] += reverse_[id];
       }
       mixed_ = total;
       for (int j = 0; j < symbols_; ++j) {
@@ -175,6 +178,7 @@ private:
   int symbols_, words_;
   sequence<char> live_;
   sequence<word> depends_;    ///< the symbols on which each node depends, as bits
+  sequence<char> active_;     ///< whether a node depends on any symbol
   sequence<int> users_;       ///< the number of users of each node
   sequence<int> reverse_;     ///< the operations for the adjoint of each node
   sequence<int> forward_;     ///< the operations for each symbol

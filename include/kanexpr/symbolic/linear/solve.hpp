@@ -102,21 +102,27 @@ public:
   /// branch are zero, as those of one leg if the joints of another leg move, its unknowns follow from those
   /// outside of the branch. These dependencies are formed where they save operations in all columns together.
   constexpr void prepare_for(const matrix& right) {
-    sequence<char> filled(n_ * right.columns, 0); // whether an entry is nonzero once it is reduced
+    sequence<char> filled(n_ * right.columns, 1); // whether an entry is nonzero once it is reduced
     sequence<int> weights(right.columns, 0);
+    bool has_zeros = false;
+    const expression* const entries = right.entries.begin();
+    const int* const factors = factors_.begin();
     for (int j = 0; j < right.columns; ++j) {
       char* const of = filled.begin() + j * n_;
       int count = 0;
       for (int i = 0; i < n_; ++i) {
-        of[i] = right(i, j).is_zero() ? 0 : 1;
+        of[i] = entries[i * right.columns + j].node() == graph::zero ? 0 : 1;
         count += of[i];
       }
       // nothing to do, a column of the inverse, of which half follows by symmetry, or a whole column
       weights[j] = count < 2 ? count : 2;
+      if (count == n_) continue;
       for (int p : order_)
-        for (int i = 0; i < n_; ++i)
-          if (of[p] != 0 && factors_[p * n_ + i] != graph::zero) of[i] = 1;
+        for (int i = 0; i < n_ && of[p] != 0; ++i)
+          if (factors[p * n_ + i] != graph::zero) of[i] = 1;
+      for (int i = 0; i < n_; ++i) has_zeros = has_zeros || (weights[j] == 2 && of[i] == 0);
     }
+    if (!has_zeros) return;
     is_within_ = sequence<char>(n_ * n_, 0);
     responses_ = factors_;
     for (int step = n_ - 1; step >= 0; --step) respond(order_[step], filled, weights);
