@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/cuts.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
@@ -12,7 +13,7 @@ namespace kanexpr::lower {
 
 /// The lengths of tapes, in steps.
 struct lengths {
-  int longest_uncut = 8000; ///< of a tape that is expanded in one function
+  int longest_uncut = 30000; ///< of a tape that is expanded in one function
   int piece = 1500;
 };
 
