@@ -176,7 +176,7 @@ TEST(formulations, name_the_reason_why_one_does_not_apply) {
   sliding_chain with_loop;
   const explain_options briefly{.searches = false};
   EXPECT_EQ(called(explain(spatial, briefly), "absolute speeds").cause,
-            "no body rotates on another about a parallel axis, the first of them on the ground");
+            "no two bodies, one on the other, rotate about parallel axes of the ground");
   EXPECT_EQ(called(explain(spatial, briefly), "other dependent speeds").cause, "it has no constraints");
   EXPECT_EQ(called(explain(with_loop, briefly), "by articulated bodies").cause, "it has constraints");
   EXPECT_EQ(called(explain<four_bar::LagrangeSystem>(briefly), "by articulated bodies").cause,
@@ -184,6 +184,15 @@ TEST(formulations, name_the_reason_why_one_does_not_apply) {
   builder without_motion("N");
   EXPECT_EQ(explain(without_motion).mistake, "the system has no generalized speeds");
   EXPECT_EQ(explain(without_motion).text(), "the system has no generalized speeds\n");
+}
+
+TEST(formulations, have_no_negative_weights) {
+  const operation_weights negative{.division = -4};
+  chain b(2, true);
+  EXPECT_EQ(explain(b, {.weights = negative}).mistake,
+            "the options of explain give an operation a negative weight");
+  b.weighted_by(negative);
+  EXPECT_EQ(b.check().cause(), "weighted_by gives an operation a negative weight");
 }
 
 // Elimination has more sums that can be fused with a product.

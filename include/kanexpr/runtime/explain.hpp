@@ -19,7 +19,7 @@ namespace kanexpr {
 /// One form of the equations of motion, and what a result costs in it.
 struct formulation_candidate {
   std::string called{}; ///< "axes of each body, by elimination"
-  std::string cause{};  ///< the reason why it does not apply to the system; empty if it does
+  std::string cause{};  ///< why it does not apply to the system, or was not formed; empty if it applies
   symbolic::cost cost{};
   long long weighted = 0; ///< the cost by the given weights
   /// The form, for `builder::formulation`.
@@ -27,6 +27,7 @@ struct formulation_candidate {
   /// The word that states it in a model: "formulation<written_in<Arm, Shoulder>>". It is empty for the form
   /// that the model has already.
   std::string word{};
+  bool is_left_out = false; ///< it may apply, but was not formed
 
   bool applies() const { return cause.empty(); }
 };

@@ -40,6 +40,8 @@ public:
   comparison_of_forms& operator=(const comparison_of_forms&) = delete;
 
   explanation run() {
+    if (options_.weights.is_negative_for_any())
+      return {.mistake = "the options of explain give an operation a negative weight"};
     found_.mistake = form_({}, [&](mechanics::equations& e, const symbolic::cost& c) { look_at(e, c); });
     if (!found_.mistake.empty()) return found_;
     compare_solutions("", {});
@@ -79,6 +81,8 @@ private:
       speeds_.emplace_back(m.g->symbol_at(u.node()).called.view());
     dependent_ = e.speeds().dependent;
     bodies_ = axes_of_system(s, options_.may_use).bodies;
+    no_search_ = axes_of_system(s, {}).bodies.empty() ? "no body rotates"
+                                                      : "may_use excludes the axes of all bodies that rotate";
     if (m.derived_by == mechanics::method::lagrange)
       no_tree_ = "its equations are derived by Lagrange's method";
     else if (!dependent_.empty())
@@ -87,7 +91,7 @@ private:
       no_tree_ = "a body is flexible";
     no_absolute_ = no_tree_;
     if (no_tree_.empty() && !mechanics::absolute_speeds(s).is_any())
-      no_absolute_ = "no body rotates on another about a parallel axis, the first of them on the ground";
+      no_absolute_ = "no two bodies, one on the other, rotate about parallel axes of the ground";
   }
 
   mechanics::formulation in_axes(int axes_of_system::body::* axes) const {
@@ -118,7 +122,7 @@ private:
 
   void search() {
     if (bodies_.empty()) {
-      found_.candidates.push_back({.called = "axes and points by search", .cause = "no body rotates"});
+      found_.candidates.push_back({.called = "axes and points by search", .cause = no_search_});
       return;
     }
     formulation_search from(form_, bodies_, options_.weights);
@@ -164,8 +168,9 @@ private:
     others.resize((std::min)(others.size(), most_shown));
     for (const formulation_candidate& c : others) found_.candidates.push_back(c);
     if (tried > most_tried)
-      found_.candidates.push_back(
-          {.called = "other dependent speeds", .cause = "only the first 400 choices were formed"});
+      found_.candidates.push_back({.called = "further dependent speeds",
+                                   .cause = "there are more than 400 choices",
+                                   .is_left_out = true});
   }
   template <class Use>
   void each_choice(sequence<int> chosen, int next, const Use& use) const {
@@ -207,6 +212,7 @@ private:
   std::vector<std::string> frames_{}, speeds_{};
   sequence<int> dependent_{};
   std::vector<axes_of_system::body> bodies_{};
+  std::string no_search_{};               ///< why the axes of no body can be varied
   std::string no_tree_{}, no_absolute_{}; ///< why the equations are not those of a tree, or of a planar one
 };
 
@@ -280,7 +286,8 @@ KANEXPR_ENGINE std::string explanation::text() const {
     const bool is_cheapest = i == cheapest + 1;
     all += (is_cheapest ? "* " : "  ") + rows[i][0] + std::string(widest - rows[i][0].size(), ' ');
     if (i > 0 && !candidates[i - 1].applies()) {
-      all += "  does not apply: " + candidates[i - 1].cause + '\n';
+      all += candidates[i - 1].is_left_out ? "  not formed: " : "  does not apply: ";
+      all += candidates[i - 1].cause + '\n';
       continue;
     }
     for (std::size_t j = 1; j <= columns; ++j) {

@@ -18,7 +18,12 @@ struct operation_weights {
   constexpr bool operator==(const operation_weights&) const = default;
 
   /// Whether fused products have to be counted.
-  constexpr bool depends_on_fusing() const { return fused != multiplication + addition; }
+  constexpr bool depends_on_fusing() const { return fused != 1LL * multiplication + addition; }
+
+  constexpr bool is_negative_for_any() const {
+    return multiplication < 0 || addition < 0 || fused < 0 || division < 0 || square_root < 0 ||
+           trigonometric < 0 || other < 0;
+  }
 };
 
 } // namespace kanexpr::symbolic

@@ -13,6 +13,8 @@ constexpr void read_formulation(const describe::formulation_record& from, readin
     return all.fail({short_name(from.stranger).view(), " is not a part of formulation<...>; it takes ",
                      "written_in<frame, axes>, about_mass_center<frame>, by_elimination, ",
                      "by_articulated_bodies, in_absolute_speeds and weighted_by<weights>"});
+  if (from.weights.is_negative_for_any())
+    return all.fail({"weighted_by<...> gives an operation a negative weight"});
   mechanics::formulation& into = all.into.mechanism.formulated;
   into.solved_by = from.solved_by;
   into.speeds = from.speeds;

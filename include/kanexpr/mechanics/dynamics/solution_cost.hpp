@@ -46,7 +46,7 @@ constexpr bool may_pay_by_articulated_bodies(const skeleton& s, const symbolic::
   const threshold fewest = is_planar ? in_plane : in_space;
   if (mass.rows < fewest.speeds) return false;
   const symbolic::cost formed = symbolic::cost_of(*s.model->g, symbolic::nodes_of(force));
-  const long long mean = (by.multiplication + by.addition + 1) / 2;
+  const long long mean = (1LL * by.multiplication + by.addition + 1) / 2;
   return cost_by_elimination(mass, force).weighted(by) - formed.weighted(by) >
          mean * fewest.operations * mass.rows;
 }

@@ -24,7 +24,7 @@ public:
   /// in the ground, and finds u̇ from the rates of these.
   void in_absolute_speeds() { m_.formulated.speeds = mechanics::internal_speeds::absolute; }
   /// What operations cost on the target, for the choices that the library makes.
-  void weighted_by(const symbolic::operation_weights& weights) { m_.formulated.weights = weights; }
+  void weighted_by(const symbolic::operation_weights& weights);
 
 protected:
   explicit formulation_builder(builder_core& core) : builder_part(core) {}

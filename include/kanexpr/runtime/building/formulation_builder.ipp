@@ -14,4 +14,11 @@ KANEXPR_ENGINE void formulation_builder::about_mass_center(frame_id frame) {
     m_.formulated.entry(place(frame)).about_the_center = true;
 }
 
+KANEXPR_ENGINE void formulation_builder::weighted_by(const symbolic::operation_weights& weights) {
+  if (weights.is_negative_for_any())
+    checks_.fail({"weighted_by gives an operation a negative weight"});
+  else
+    m_.formulated.weights = weights;
+}
+
 } // namespace kanexpr::runtime
