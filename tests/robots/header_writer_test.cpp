@@ -71,6 +71,14 @@ TEST(header_writer, writes_what_a_person_can_read) {
               HasSubstr("stop<Shoulder, -2.5, 2.5, 1000, 1, 0.001>"));
 }
 
+TEST(header_writer, writes_bodies_without_inertia) {
+  EXPECT_THAT(header_of(robot_in("<link name='base'/><link name='bob'><inertial><origin xyz='0 0 -1'/>"
+                                 "<mass value='2'/><inertia ixx='0' iyy='0' izz='0' ixy='0' iyz='0' ixz='0'/>"
+                                 "</inertial></link><joint name='j' type='continuous'><parent link='base'/>"
+                                 "<child link='bob'/><axis xyz='0 1 0'/></joint>")),
+              HasSubstr("body<2, -own::z, inertia<own, 0.0, 0.0, 0.0>>"));
+}
+
 // A mimic joint has no coordinate: its leader determines its location.
 TEST(header_writer, writes_joints_that_follow_others) {
   const std::string header = header_of(robot_of("gripper.urdf"));

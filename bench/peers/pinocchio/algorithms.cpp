@@ -38,13 +38,19 @@ extern "C" {
 
 void load(const char* path) { now = std::make_unique<subject>(path); }
 
-void mass_matrix_and_forcing(const double* x, double* result) {
+void mass_matrix(const double* x, double* result) {
   auto& [robot, data, torque] = *now;
   const int n = robot.model.nv;
   pinocchio::crba(robot.model, data, now->q(x));
   matrix M(result, n, n);
   M.triangularView<Eigen::Upper>() = data.M.triangularView<Eigen::Upper>();
   M.triangularView<Eigen::StrictlyLower>() = M.transpose().triangularView<Eigen::StrictlyLower>();
+}
+
+void mass_matrix_and_forcing(const double* x, double* result) {
+  auto& [robot, data, torque] = *now;
+  const int n = robot.model.nv;
+  mass_matrix(x, result);
   Eigen::Map<Eigen::VectorXd>(result + n * n, n) =
       now->torques(x) - pinocchio::nonLinearEffects(robot.model, data, now->q(x), now->v(x));
 }

@@ -216,9 +216,11 @@ private:
     const std::string mass = value("m_" + called, b.mass, kind::mass),
                       center = vector("own", called, b.center);
     const inertia_matrix& i = b.inertia;
+    const bool is_zero = plan_.binds_numbers() && !(i.largest() > 0);
     std::vector<std::string> scalars{"own"};
     const auto add = [&](const char* prefix, double e) {
-      scalars.push_back(value(prefix + called, e, kind::moment_of_inertia));
+      // "0" alone would be taken for an integer division
+      scalars.push_back(is_zero ? "0.0" : value(prefix + called, e, kind::moment_of_inertia));
     };
     add("ixx_", i.xx), add("iyy_", i.yy), add("izz_", i.zz);
     if (!plan_.binds_numbers() || i.xy != 0 || i.yz != 0 || i.zx != 0)
