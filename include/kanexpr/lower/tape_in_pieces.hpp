@@ -6,6 +6,7 @@
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -208,7 +209,7 @@ private:
     unrolled_tape<piece_code<Code, index>, Number>::run_in(memory);
   }
 
-  Number memory_[places > 0 ? places : 1];
+  Number memory_[static_cast<std::size_t>(places > 0 ? places : 1)];
 };
 
 /// The evaluation of a tape, in pieces if it is long.

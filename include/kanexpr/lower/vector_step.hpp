@@ -184,7 +184,8 @@ consteval bool uses_vectors() {
     return 20 * vector_plan_of<Code>.count < 19 * Code::tape.sizes.steps;
 }
 
-/// Straight-line evaluation of a tape with steps on vectors, with the same bits as one number after another.
+/// Straight-line evaluation of a tape with steps on vectors, with the same bits as one number after another;
+/// if the compiler fuses multiply-adds, it may fuse other ones.
 template <class Code, class Number>
 class steps_on_vectors {
   static constexpr const vector_plan<Code>& plan = vector_plan_of<Code>;
