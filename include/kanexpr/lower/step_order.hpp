@@ -170,7 +170,8 @@ private:
 
   /// Returns the first step of a rank that has some.
   constexpr int first_of(int rank) {
-    const std::uint64_t* const ready = ready_ + rank * words_;
+    const int row = rank * words_;
+    const std::uint64_t* const ready = ready_ + row;
     int word = first_[rank];
     while (ready[word] == 0) ++word;
     first_[rank] = word;

@@ -59,8 +59,9 @@ private:
     if (is_of_two) ++users_[n.b];
     if (active_[n.a] == 0 && (!is_of_two || active_[n.b] == 0)) return;
     active_[id] = 1;
-    word* const all = depends_.begin() + id * words_;
-    const word *const a = depends_.begin() + n.a * words_, *const b = depends_.begin() + n.b * words_;
+    const int own = id * words_, first = n.a * words_, second = n.b * words_;
+    word* const all = depends_.begin() + own;
+    const word *const a = depends_.begin() + first, *const b = depends_.begin() + second;
     for (int w = 0; w < words_; ++w) all[w] = is_of_two ? a[w] | b[w] : a[w];
   }
 

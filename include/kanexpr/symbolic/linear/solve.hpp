@@ -108,7 +108,8 @@ public:
     const expression* const entries = right.entries.begin();
     const int* const factors = factors_.begin();
     for (int j = 0; j < right.columns; ++j) {
-      char* const of = filled.begin() + j * n_;
+      const int column = j * n_;
+      char* const of = filled.begin() + column;
       int count = 0;
       for (int i = 0; i < n_; ++i) {
         of[i] = entries[i * right.columns + j].node() == graph::zero ? 0 : 1;
@@ -183,12 +184,14 @@ private:
 
   /// Forms the dependency of one unknown on those outside of its branch.
   constexpr void respond(int p, const sequence<char>& filled, const sequence<int>& weights) {
-    const int* const own = factors_.begin() + p * n_;
+    const int row = p * n_;
+    const int* const own = factors_.begin() + row;
     int direct = 0, formed = 0, remaining = 0, uses = 0, of_all = 0;
     sequence<int> zeros(n_, 0); // the number of columns in which both right-hand sides are zero
     sequence<char> within(n_, 0), outside(n_, 0);
     for (int j = 0; j < weights.size(); ++j) {
-      const char* const of = filled.begin() + j * n_;
+      const int column = j * n_;
+      const char* const of = filled.begin() + column;
       if (of[p] != 0 || weights[j] == 0) continue;
       ++of_all;
       for (int k = 0; k < n_; ++k)
@@ -207,7 +210,8 @@ private:
       for (int i = 0; i < n_ && within[k] != 0; ++i)
         if (is_within_[k * n_ + i] != 0) branch[i] = 1;
     for (int j = 0; j < weights.size(); ++j) {
-      const char* const of = filled.begin() + j * n_;
+      const int column = j * n_;
+      const char* const of = filled.begin() + column;
       bool is_zero = of[p] == 0;
       for (int k = 0; k < n_; ++k) is_zero = is_zero && (branch[k] == 0 || of[k] == 0);
       if (is_zero) uses += weights[j];
