@@ -219,7 +219,7 @@ private:
     const bool is_zero = plan_.binds_numbers() && !(i.largest() > 0);
     std::vector<std::string> scalars{"own"};
     const auto add = [&](const char* prefix, double e) {
-      // "0" alone would be taken for an integer division
+      // a model must not contain the integer 0 here, because 1/2 has the same value
       scalars.push_back(is_zero ? "0.0" : value(prefix + called, e, kind::moment_of_inertia));
     };
     add("ixx_", i.xx), add("iyy_", i.yy), add("izz_", i.zz);

@@ -9,6 +9,7 @@
 #include <kanexpr/symbolic/operation_weights.hpp>
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -151,7 +152,7 @@ private:
   }
 
   long long cost_of(const mechanics::formulation& form) {
-    long long cost = 0;
+    long long cost = (std::numeric_limits<long long>::max)(); // of a form that does not exist
     form_({form, {}, false}, [&](mechanics::equations&, const symbolic::cost& c) { cost = c.weighted(by_); });
     return cost;
   }
