@@ -8,6 +8,9 @@
 
 #include <Eigen/Core>
 
+#include <bit>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace kanexpr {
@@ -55,10 +58,27 @@ private:
   /// Always checks every entry, so that the time does not depend on the state.
   template <class Matrix>
   [[gnu::always_inline]] static bool is_finite(const Matrix& m) {
-    bool all = true;
-    for (Eigen::Index i = 0; i < m.size(); ++i)
-      all = all & lower::scalar_math<typename Matrix::Scalar>::is_finite(m.data()[i]);
-    return all;
+    using Number = typename Matrix::Scalar;
+    if constexpr (std::is_same_v<Number, double>) {
+      return has_no_carry(m.data(), m.size(), std::uint64_t{0x7ff} << 52, std::uint64_t{1} << 52);
+    } else if constexpr (std::is_same_v<Number, float>) {
+      return has_no_carry(m.data(), m.size(), std::uint32_t{0xff} << 23, std::uint32_t{1} << 23);
+    } else {
+      bool all = true;
+      for (Eigen::Index i = 0; i < m.size(); ++i)
+        all = all & lower::scalar_math<Number>::is_finite(m.data()[i]);
+      return all;
+    }
+  }
+
+  /// Adds 1 to each exponent, which carries into the sign if the number is not finite. Compilers evaluate
+  /// several numbers at a time, and it works with -ffast-math.
+  template <class Number, class Bits>
+  [[gnu::always_inline]] static bool has_no_carry(const Number* all, Eigen::Index count, Bits exponent,
+                                                  Bits one) {
+    Bits carries = 0;
+    for (Eigen::Index i = 0; i < count; ++i) carries |= (std::bit_cast<Bits>(all[i]) & exponent) + one;
+    return (carries & ~(exponent | (one - 1))) == 0;
   }
 };
 

@@ -244,17 +244,42 @@ private:
       return Number(done.template result<first>());
     } else {
       Eigen::Matrix<Number, size.rows, size.columns> m;
-      fill<Number, first, size.columns>(done, m, std::make_integer_sequence<int, size.rows * size.columns>{});
+      fill<Number, first, size.rows, size.columns>(done, m);
       return m;
     }
   }
 
+  /// Whether an entry is zero in every state.
+  static consteval bool is_zero(int entry) {
+    const int slot = code::tape.results[entry];
+    return slot < code::tape.sizes.numbers && code::tape.numbers[slot].is_zero();
+  }
+  static consteval bool has_many_zeros(int first, int count) {
+    constexpr int fewest = 32; // fewer are stored one by one, which allows compilers to omit all of them
+    int zeros = 0;
+    for (int i = 0; i < count; ++i) zeros += is_zero(first + i) ? 1 : 0;
+    return zeros >= fewest && 2 * zeros >= count;
+  }
+
+  template <class Number, int first, int rows, int columns, class Done, class Matrix>
+  [[gnu::always_inline]] static void fill(const Done& done, Matrix& m) noexcept {
+    constexpr bool with_zeros = has_many_zeros(first, rows * columns);
+    if constexpr (with_zeros) m.setZero();
+    fill<Number, first, columns, with_zeros>(done, m, std::make_integer_sequence<int, rows * columns>{});
+  }
+
   // a separate function, not a lambda: compilers do not inline lambdas here, and the slots stay in memory
-  template <class Number, int first, int columns, class Done, class Matrix, int... index>
+  template <class Number, int first, int columns, bool with_zeros, class Done, class Matrix, int... index>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
-    const int order[]{0, (m(index / columns, index % columns) = done.template result<first + index>(), 0)...};
+    const int order[]{0, (put < first + index,
+                          with_zeros && is_zero(first + index) > (done, m(index / columns, index % columns)),
+                          0)...};
     static_cast<void>(order);
+  }
+  template <int index, bool is_known, class Done, class Number>
+  [[gnu::always_inline]] static void put(const Done& done, Number& entry) noexcept {
+    if constexpr (!is_known) entry = done.template result<index>();
   }
 
   static constexpr int first_of(std::size_t which) {
@@ -280,8 +305,7 @@ private:
     if constexpr (requires { into.status; })
       into.status = status_of<Number>(done, std::make_integer_sequence<int, checks>{});
     if constexpr (!size.scalar)
-      fill<Number, first, size.columns>(done, into,
-                                        std::make_integer_sequence<int, size.rows * size.columns>{});
+      fill<Number, first, size.rows, size.columns>(done, into);
     else if constexpr (requires { into.value; })
       into.value = done.template result<first>();
     else

@@ -40,6 +40,15 @@ constexpr void run_linear_step(const linear_step& e, const int* operands,
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
+constexpr void run_columns(const tape_view& code, const linear_step& e, const double* slot, double* out) {
+  const numeric::column_steps steps = column_steps_of(code, e);
+  const int count = numeric::symmetric_factors{e.order}.size();
+  sequence<double> factors(count, 0.0);
+  for (int i = 0; i < count; ++i) factors[i] = slot[code.operands[e.operands + i]];
+  for (int i = 0; i < e.outputs(); ++i) out[i] = slot[code.operands[e.operands + count + i]];
+  for (int j = 0; j < e.factors; ++j) numeric::solve_column(steps, factors.begin(), out + j, e.factors);
+}
+
 /// Whether a tape contains selections; the values of steps that are not selected may then be undefined. This
 /// is a variable because clang++ re-evaluates a local constant each time control reaches it.
 template <const auto& tape>
@@ -59,7 +68,10 @@ constexpr auto constant_slots(ValueOf value_of) {
   for (int i = 0; i < tape.sizes.loads; ++i) slot[next++] = value_of(tape.loads[i]);
   for (int i = 0, e = 0; i < tape.sizes.steps;) {
     if (e < tape.sizes.linear_steps && tape.linear_steps[e].step == i) {
-      run_linear_step(tape.linear_steps[e], tape.operands, tape.externals, slot.data(), slot.data() + next);
+      if (tape.linear_steps[e].op == operation::symmetric_solve)
+        run_columns(tape_view(tape), tape.linear_steps[e], slot.data(), slot.data() + next);
+      else
+        run_linear_step(tape.linear_steps[e], tape.operands, tape.externals, slot.data(), slot.data() + next);
       i += tape.linear_steps[e].outputs();
       next += static_cast<std::size_t>(tape.linear_steps[e++].outputs());
     } else {

@@ -3,7 +3,9 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/vector_columns.hpp>
 #include <kanexpr/numeric/elimination.hpp>
+#include <kanexpr/numeric/symmetric_columns.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cstdint>
@@ -25,6 +27,8 @@ struct cuts {
   sequence<int> operands{};      ///< of the linear steps, as slots of their pieces
   sequence<int> factors{};       ///< of the linear steps, as slots of their pieces
   sequence<int> place{};         ///< of each slot; none if only the piece that fills it reads it
+  sequence<int> solves{};        ///< for each piece, the symmetric system that it is; none for other steps
+  sequence<int> columns{};       ///< the place of the columns of each linear step that is such a system
   int places = 0;
 };
 
@@ -57,7 +61,8 @@ public:
 
 private:
   static constexpr int factors_of(const linear_step& e) {
-    const bool none = e.op == operation::factorization || e.op == operation::call;
+    const bool none =
+        e.op == operation::factorization || e.op == operation::call || e.op == operation::symmetric_solve;
     return none ? 0 : numeric::factors{e.order}.size();
   }
 
@@ -108,27 +113,45 @@ private:
   }
 
   constexpr void choose_cuts() {
-    const int slack = length_ / 4;
     int begin = 0;
-    found_.first.push(begin);
-    while (count_ - begin > length_ + slack) {
-      int best = count_;
-      for (int step = begin + length_ - slack; step < count_; ++step) {
-        if (best != count_ && change_[best] < slots_ && step > begin + length_ + slack) break;
-        if (best == count_ || change_[step] < change_[best]) best = step;
+    for (int i = 0; i < tape_.linear_steps.size(); ++i) {
+      const linear_step& e = tape_.linear_steps[i];
+      if (e.op != operation::symmetric_solve) continue;
+      cut(begin, e.step);
+      found_.first.push(e.step);
+      found_.solves.push(i);
+      begin = e.step + e.outputs();
+    }
+    cut(begin, count_);
+    found_.first.push(count_);
+  }
+
+  constexpr void cut(int begin, int end) {
+    const int slack = length_ / 4;
+    if (begin == end) return;
+    const auto add = [&](int first) {
+      found_.first.push(first);
+      found_.solves.push(cuts::none);
+    };
+    add(begin);
+    while (end - begin > length_ + slack) {
+      int best = end;
+      for (int step = begin + length_ - slack; step < end; ++step) {
+        if (best != end && change_[best] < slots_ && step > begin + length_ + slack) break;
+        if (best == end || change_[step] < change_[best]) best = step;
       }
       if (change_[best] > slots_) break; // all are joined
-      found_.first.push(begin = best);
+      add(begin = best);
     }
-    found_.first.push(count_);
   }
 
   constexpr void assign_places() {
     sequence<int> places(slots_, cuts::none);
     int* const place = places.begin();
     for (int i = 0; i < tape_.loads.size(); ++i) place[tape_.numbers.size() + i] = found_.places++;
+    assign_columns(place);
     for (int slot : tape_.results)
-      if (place[slot] == cuts::none) place[slot] = found_.places++;
+      if (slot >= tape_.numbers.size() && place[slot] == cuts::none) place[slot] = found_.places++;
     const int pieces = found_.first.size() - 1;
     sequence<int> released(pieces, cuts::none); // a list of the places that each piece is the last to read
     sequence<int> following(found_.places + count_, cuts::none), free; // by place
@@ -155,6 +178,30 @@ private:
     found_.place = static_cast<sequence<int>&&>(places);
   }
 
+  /// Gives places to the columns of symmetric systems. Entries of right-hand sides that nothing else needs
+  /// afterwards are computed in place.
+  constexpr void assign_columns(int* place) {
+    found_.columns.resize(tape_.linear_steps.size(), cuts::none);
+    for (int i = 0; i < tape_.linear_steps.size(); ++i) {
+      const linear_step& e = tape_.linear_steps[i];
+      if (e.op != operation::symmetric_solve) continue;
+      const int first = found_.columns[i] = found_.places, stride = stride_for(e.factors);
+      found_.places += e.order * stride;
+      for (int k = 0; k < e.outputs(); ++k)
+        place[first_step_ + e.step + k] = first + k / e.factors * stride + k % e.factors;
+    }
+    for (int slot : tape_.results) last_use_[slot] = count_;
+    for (const linear_step& e : tape_.linear_steps) {
+      if (e.op != operation::symmetric_solve) continue;
+      const int right = e.operands + numeric::symmetric_factors{e.order}.size();
+      for (int k = 0; k < e.outputs(); ++k) {
+        const int slot = tape_.operands[right + k];
+        if (slot >= first_step_ && place[slot] == cuts::none && last_use_[slot] == e.step)
+          place[slot] = place[first_step_ + e.step + k];
+      }
+    }
+  }
+
   /// Numbers the slots of each piece: its numbers, its other inputs and its steps. The inputs are in the
   /// order of the tape, so that factors remain contiguous.
   constexpr void number_slots_of_pieces() {
@@ -171,6 +218,11 @@ private:
       found_.first_input.push(found_.inputs.size());
       found_.first_operand.push(found_.operands.size());
       found_.first_linear.push(first_linear);
+      if (found_.solves[piece] != cuts::none) {
+        found_.factors.push(0);
+        found_.numbers.push(0);
+        continue;
+      }
       sequence<std::uint64_t> words(filled / 64 + 1, 0); // one bit for each slot
       mark_inputs(words.begin(), begin, end, first_linear, linear);
       const int inputs = list_inputs(words, number);

@@ -18,10 +18,20 @@ constexpr int aside_of(const Code& code) {
 }
 
 template <class Code, class Number>
+void evaluate_columns(const Code& code, const linear_step& e, Number* values, Number* aside) {
+  const numeric::column_steps steps = column_steps_of(code, e);
+  Number* const right = aside + numeric::symmetric_factors{e.order}.size();
+  for (int i = 0; i < e.inputs(); ++i) aside[i] = values[code.operands[e.operands + i]];
+  for (int j = 0; j < e.factors; ++j) numeric::solve_column(steps, aside, right + j, e.factors);
+  for (int i = 0; i < e.outputs(); ++i) values[code.first_step() + e.step + i] = right[i];
+}
+
+template <class Code, class Number>
 void evaluate_linear_step(const Code& code, const linear_step& e, Number* values, Number* aside) {
   using math = elimination_math<Number>;
   Number* const out = values + code.first_step() + e.step;
   Number* const into = e.op == operation::singularity_measure || e.op == operation::call ? aside : out;
+  if (e.op == operation::symmetric_solve) return evaluate_columns(code, e, values, aside);
   const Number* const factors = values + e.factors;
   for (int i = 0; i < e.inputs(); ++i) into[i] = values[code.operands[e.operands + i]];
   if (e.op == operation::factorization)

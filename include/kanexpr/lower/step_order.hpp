@@ -137,14 +137,7 @@ private:
       }
     }
     int place = 0;
-    for (int k = 0; k < count; ++k) {
-      first_user_[k] = place += uses_[k];
-      if (rank_[k] != waiting) continue;
-      int gain = uses_[k] > 0 ? 0 : 1;
-      for (int i = first_operand_[k]; operands_[i] != none; ++i)
-        if (uses_[operands_[i]] == 1) ++gain;
-      gain_[k] = gain;
-    }
+    for (int k = 0; k < count; ++k) first_user_[k] = place += uses_[k];
     first_user_[count] = place;
     users_of_.resize(place);
     users_ = users_of_.begin();
@@ -152,9 +145,32 @@ private:
       if (rank_[k] != waiting) continue;
       for (int i = first_operand_[k]; operands_[i] != none; ++i) users_[--first_user_[operands_[i]]] = k;
     }
+    count_gains();
   }
 
+  /// A list takes its elements over as soon as they are computed; it is not a use for which they stay live.
+  constexpr void count_gains() {
+    const int count = values_.size();
+    for (int k = 0; k < count; ++k)
+      if (rank_[k] == waiting && is_list(k))
+        for (int i = first_operand_[k]; operands_[i] != none; ++i) --uses_[operands_[i]];
+    for (int k = 0; k < count; ++k) {
+      if (rank_[k] != waiting) continue;
+      int gain = uses_[k] > 0 ? 0 : 1;
+      if (!is_list(k))
+        for (int i = first_operand_[k]; operands_[i] != none; ++i)
+          if (uses_[operands_[i]] == 1) ++gain;
+      gain_[k] = gain;
+    }
+  }
+
+  constexpr bool is_list(int k) const { return nodes_[values_[k]].op == operation::pair; }
+
   constexpr void offer(int k) {
+    if (nodes_[values_[k]].op == operation::symmetric_solve) {
+      last_.push(k);
+      return;
+    }
     const int rank = prospects * gain_[k] + prospect_[k], word = k / 64;
     rank_[k] = rank;
     ready_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
@@ -180,7 +196,7 @@ private:
 
   /// Removes and returns the best step that is ready.
   constexpr int take() {
-    if (filled_ == 0) return none;
+    if (filled_ == 0) return next_of_last_ < last_.size() ? last_[next_of_last_++] : none;
     const int rank = 31 - __builtin_clz(filled_);
     int k = first_of(rank);
     if (rank % prospects == 1 && live_ <= few && count_[rank - 1] != 0) {
@@ -202,12 +218,13 @@ private:
     order_.push(id);
     rank_[k] = done;
     const int begin = first_user_[k], end = first_user_[k + 1];
-    if (begin < end) ++live_;
+    if (uses_[k] > 0) ++live_;
     for (int i = begin; i < end; ++i) {
       const int missing = --waits_[users_[i]];
       if (missing == 0) offer(users_[i]);
       if (missing == 1) raise_missing_operand_of(users_[i]);
     }
+    if (is_list(k)) return;
     for (int i = first_operand_[k]; operands_[i] != none; ++i) {
       const int left = --uses_[operands_[i]];
       if (left == 1) favour_last_user_of(operands_[i]);
@@ -218,7 +235,7 @@ private:
   constexpr void favour_last_user_of(int value) {
     for (int i = first_user_[value]; i < first_user_[value + 1]; ++i) {
       const int user = users_[i];
-      if (rank_[user] == done) continue;
+      if (rank_[user] == done || is_list(user)) continue;
       if (rank_[user] >= 0) withdraw(user);
       ++gain_[user];
       if (rank_[user] >= 0)
@@ -249,6 +266,8 @@ private:
   sequence<int> operands_of_{}, users_of_{};
   sequence<std::uint64_t> ready_of_{}; ///< one bit per value, by rank
   sequence<int> order_{};
+  sequence<int> last_{}; ///< symmetric systems, which wait until nothing else is ready
+  int next_of_last_ = 0;
   int* place_;
   int* uses_ = nullptr;          ///< remaining uses, by value
   int* waits_ = nullptr;         ///< operands not yet available, by value

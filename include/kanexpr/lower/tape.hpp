@@ -4,11 +4,13 @@
 #include <kanexpr/base/zeros.hpp>
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
+#include <kanexpr/numeric/symmetric_columns.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/linear/symmetric_columns.hpp>
 
 namespace kanexpr::lower {
 
@@ -28,13 +30,15 @@ struct linear_step {
   int order = 0; ///< for a call: the number of operands
   int step = 0;
   int factors = 0;  ///< the first slot of the factorization that it uses; for a call: the index of the
-                    ///< function
+                    ///< function; for a symmetric system: the number of columns
   int operands = 0; ///< the index of its first operand among those of all linear steps
 
   constexpr int inputs() const {
+    if (op == operation::symmetric_solve) return numeric::symmetric_factors{order}.size() + order * factors;
     return op == operation::factorization || op == operation::singularity_measure ? order * order : order;
   }
   constexpr int outputs() const {
+    if (op == operation::symmetric_solve) return order * factors;
     if (op == operation::factorization) return numeric::factors{order}.size();
     return op == operation::singularity_measure || op == operation::call ? 1 : order;
   }
@@ -198,6 +202,7 @@ private:
       return;
     }
     if (n.op == operation::call) return put_call(id, symbolic::elements_of(g_, n.a));
+    if (n.op == operation::symmetric_solve) return put_columns(id, symbolic::symmetric_columns(g_, n));
     const bool factorizes = n.op == operation::factorization;
     const linear_step added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
                             factorizes ? 0 : slot_[n.a], tape_.operands.size()};
@@ -206,6 +211,18 @@ private:
       inputs = symbolic::entries_of(g_, id);
     else
       inputs = symbolic::elements_of(g_, n.b);
+    put_linear_step(id, added, inputs);
+  }
+
+  constexpr void put_columns(int id, const symbolic::symmetric_columns& system) {
+    const linear_step added{operation::symmetric_solve, system.order, tape_.steps.size(), system.columns,
+                            tape_.operands.size()};
+    sequence<int> inputs = system.factors;
+    inputs.append(system.right);
+    put_linear_step(id, added, inputs);
+  }
+
+  constexpr void put_linear_step(int id, const linear_step& added, const sequence<int>& inputs) {
     for (int input : inputs) tape_.operands.push(slot_[input]);
     tape_.linear_steps.push(added);
     slot_[id] = first_step_ + added.step;
@@ -284,6 +301,27 @@ constexpr int fused_sums(const tape& t) {
 
 } // namespace detail
 
+/// The slot of the number zero; -1 if a tape has none.
+template <class Code>
+constexpr int slot_of_zero(const Code& code) {
+  for (int i = 0; i < code.numbers.size(); ++i)
+    if (code.numbers[i].is_zero()) return i;
+  return -1;
+}
+
+/// The steps of a symmetric system for each column.
+template <class Code>
+constexpr numeric::column_steps column_steps_of(const Code& code, const linear_step& e) {
+  const int zero = slot_of_zero(code), columns = e.factors,
+            right = e.operands + numeric::symmetric_factors{e.order}.size();
+  return {e.order, [&](int factor) { return code.operands[e.operands + factor] == zero; },
+          [&](int row) {
+            for (int j = 0; j < columns; ++j)
+              if (code.operands[right + row * columns + j] != zero) return false;
+            return true;
+          }};
+}
+
 /// Returns the cost of one evaluation of a tape.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
@@ -294,6 +332,8 @@ constexpr symbolic::cost cost_of(const tape& t) {
       total.count_singularity_measure(e.order);
     else if (e.op == operation::call)
       total.count(operation::call);
+    else if (e.op == operation::symmetric_solve)
+      total.count_columns(column_steps_of(t, e), e.factors);
     else
       total.count_substitution(e.order);
   }

@@ -5,6 +5,7 @@
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
+#include <kanexpr/lower/vector_columns.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -22,11 +23,20 @@ struct lengths {
 template <class Code>
 inline constexpr lengths lengths_of{};
 
+/// Whether a tape solves symmetric systems for many columns, which are solved in memory.
+template <class Code>
+inline constexpr bool solves_columns = [] {
+  for (int i = 0; i < Code::tape.sizes.linear_steps; ++i)
+    if (Code::tape.linear_steps[i].op == operation::symmetric_solve) return true;
+  return false;
+}();
+
 /// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class
 /// that names `evaluated_tape` derives no code before it is called.
 template <class Code, class Number>
 inline constexpr bool is_cut =
-    Code::tape.sizes.steps > lengths_of<Code>.longest_uncut && !uses_vectors<Code, Number>();
+    solves_columns<Code> ||
+    (Code::tape.sizes.steps > lengths_of<Code>.longest_uncut && !uses_vectors<Code, Number>());
 
 /// The cuts of the tape of `Code` as arrays that outlive constant evaluation.
 template <class Code>
@@ -43,16 +53,19 @@ class cuts_of {
     int a[room(tape.sizes.steps)]{}, b[room(tape.sizes.steps)]{};
     int operands[room(tape.sizes.operands)]{}, factors[room(tape.sizes.linear_steps)]{};
     int place[room(tape.slot_count())]{};
+    int solves[room(tape.sizes.steps)]{}, columns[room(tape.sizes.linear_steps)]{};
 
     constexpr arrays() {
       const tape_view view(tape);
-      const cuts all =
-          detail::cutting(view, tape.sizes.first_angle + 2 * tape.sizes.angles, lengths_of<Code>.piece).run();
+      const bool is_long = tape.sizes.steps > lengths_of<Code>.longest_uncut;
+      const cuts all = detail::cutting(view, tape.sizes.first_angle + 2 * tape.sizes.angles,
+                                       is_long ? lengths_of<Code>.piece : tape.sizes.steps)
+                           .run();
       pieces = all.first.size() - 1, places = all.places;
       copy(all.first, first), copy(all.first_input, first_input), copy(all.first_operand, first_operand);
       copy(all.first_linear, first_linear), copy(all.numbers, numbers), copy(all.inputs, inputs);
       copy(all.a, a), copy(all.b, b), copy(all.operands, operands), copy(all.factors, factors);
-      copy(all.place, place);
+      copy(all.place, place), copy(all.solves, solves), copy(all.columns, columns);
     }
     static constexpr void copy(const sequence<int>& from, int* to) {
       const int* const each = from.begin();
@@ -142,22 +155,6 @@ public:
       destinations_of<extent.sizes.steps>(cuts_of<Code>::value, Code::tape.first_step() + extent.first);
 };
 
-/// The places of the results in memory. Numbers that are results are stored before the first piece.
-template <class Code>
-struct result_places {
-  static constexpr std::size_t room = static_cast<std::size_t>(Code::tape.sizes.results) + 1;
-  int of[room]{};
-  int numbers = 0;
-  int number[room]{}, place_of_number[room]{};
-
-  template <class Tape, class Arrays>
-  constexpr result_places(const Tape& tape, const Arrays& cut) {
-    for (int i = 0; i < tape.sizes.results; ++i) of[i] = cut.place[tape.results[i]];
-    for (int i = 0; i < tape.sizes.numbers; ++i)
-      if (cut.place[i] != cuts::none) number[numbers] = i, place_of_number[numbers++] = cut.place[i];
-  }
-};
-
 /// Evaluation of a long tape as several functions, because the time that a compiler needs to optimize a
 /// function grows faster than its length. The operations and their order are those of `unrolled_tape`.
 ///
@@ -172,22 +169,26 @@ public:
   template <class Arguments>
   [[gnu::always_inline]] explicit tape_in_pieces(const Arguments& arguments) noexcept {
     load(arguments, std::make_integer_sequence<int, tape.sizes.loads>{});
-    run(memory_, std::make_integer_sequence<int, pieces>{},
-        std::make_integer_sequence<int, result_place.numbers>{});
+    run(memory_, std::make_integer_sequence<int, pieces>{});
   }
 
   template <int index>
-  [[gnu::always_inline]] const Number& result() const noexcept {
-    return memory_[place_of_result(index)];
+  [[gnu::always_inline]] Number result() const noexcept {
+    if constexpr (tape.results[index] < tape.sizes.numbers)
+      return number_as<Number>(tape.numbers[tape.results[index]]);
+    else
+      return memory_[place_of_result(index)];
   }
 
 private:
   static constexpr int pieces = cuts_of<Code>::value.pieces, places = cuts_of<Code>::value.places;
-  static constexpr result_places<Code> result_place{tape, cuts_of<Code>::value};
 
-  static consteval int place_of_result(int result) { return result_place.of[result]; }
-  static consteval int number(int kept) { return result_place.number[kept]; }
-  static consteval int place_of_number(int kept) { return result_place.place_of_number[kept]; }
+  struct slot_places {
+    static consteval int of(int slot) { return cuts_of<Code>::value.place[slot]; }
+    static consteval int columns(int linear_step) { return cuts_of<Code>::value.columns[linear_step]; }
+  };
+  static consteval int place_of_result(int result) { return slot_places::of(tape.results[result]); }
+  static consteval int solved_by(int piece) { return cuts_of<Code>::value.solves[piece]; }
 
   /// The arguments have the first places.
   template <class Arguments, int... index>
@@ -197,16 +198,17 @@ private:
      ...);
   }
 
-  template <int... index, int... kept>
-  [[gnu::noinline]] static void run(Number* memory, std::integer_sequence<int, index...>,
-                                    std::integer_sequence<int, kept...>) noexcept {
-    ((memory[place_of_number(kept)] = number_as<Number>(tape.numbers[number(kept)])), ...);
+  template <int... index>
+  [[gnu::noinline]] static void run(Number* memory, std::integer_sequence<int, index...>) noexcept {
     (piece<index>(memory), ...);
   }
 
   template <int index>
   [[gnu::noinline]] static void piece(Number* memory) noexcept {
-    unrolled_tape<piece_code<Code, index>, Number>::run_in(memory);
+    if constexpr (solved_by(index) >= 0)
+      vector_columns<Code, solved_by(index), Number, slot_places>::run(memory);
+    else
+      unrolled_tape<piece_code<Code, index>, Number>::run_in(memory);
   }
 
   Number memory_[static_cast<std::size_t>(places > 0 ? places : 1)];

@@ -12,6 +12,7 @@
 #include <kanexpr/runtime/operating_point.ipp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/linear/symmetric_columns.hpp>
 
 #include <Eigen/Core>
 
@@ -151,7 +152,7 @@ private:
   }
 
   symbolic::matrix values(const symbolic::matrix& m, const std::string& called) {
-    const symbolic::point_values found = point_->values(m);
+    const symbolic::point_values found = point_->values(symbolic::written_out(m));
     for (const symbolic::singularity& s : found.singular)
       failures_.push_back("entry (" + std::to_string(s.row + 1) + ", " + std::to_string(s.column + 1) +
                           ") of " + called + " has no value at the operating point: " + s.condition);

@@ -10,6 +10,7 @@
 #include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/linear/symmetric_columns.hpp>
 
 #include <memory>
 #include <string>
@@ -55,7 +56,7 @@ inline symbolic::matrix form_result(derived& system, const derivation::request& 
     if (derivation::stage_for(wanted) >= next && !system.equations()->mistake())
       derivation::advance(*system.equations(), next);
   derivation::visit({&wanted, 1}, system.reader());
-  return derivation::form(wanted, system.reader(), *system.equations());
+  return symbolic::written_out(derivation::form(wanted, system.reader(), *system.equations()));
 }
 
 } // namespace runtime

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/numeric/symmetric_columns.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/expand_solves.hpp>
+#include <kanexpr/symbolic/linear/symmetric_columns.hpp>
 #include <kanexpr/symbolic/operation_weights.hpp>
 
 namespace kanexpr::symbolic {
@@ -66,6 +68,16 @@ struct cost {
     count(order * order, order * (order - 1), 0);
     fused += order * (order - 1);
   }
+  /// Signs are free.
+  constexpr void count_columns(const numeric::column_steps& steps, int columns) {
+    int products = 0, sums = 0;
+    for (const numeric::column_step& s : steps.all) {
+      ++products;
+      if (!s.is_pivot() && !s.fills) ++sums;
+    }
+    count(columns * products, columns * sums, 0);
+    fused += columns * sums;
+  }
   constexpr void count_singularity_measure(int order) {
     const int updates = (order - 1) * order * (2 * order - 1) / 6;
     count(2 * order + order * (order - 1) / 2 + updates, updates + order - 1, 1);
@@ -108,6 +120,11 @@ constexpr sequence<int> uses_of_nodes(const graph& g, const sequence<char>& live
   return uses;
 }
 
+constexpr void count_columns(const graph& g, const node& n, cost& total) {
+  const symmetric_columns system(g, n);
+  total.count_columns(system.steps(), system.columns);
+}
+
 constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
   const sequence<char> live = live_nodes(g, outputs);
   const sequence<int> uses = uses_of_nodes(g, live, outputs);
@@ -121,6 +138,8 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
       total.count_factorization(order_of(g, id));
     else if (is_solution(n.op))
       total.count_substitution(order_of(g, n.a));
+    else if (n.op == operation::symmetric_solve)
+      count_columns(g, n, total);
     else if (n.op == operation::singularity_measure)
       total.count_singularity_measure(order_of(g, n.a));
     if (takes_in_product(g, n, uses)) ++total.fused;

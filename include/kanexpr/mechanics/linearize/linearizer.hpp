@@ -132,6 +132,9 @@ public:
   }
 
 private:
+  /// In larger systems, columns are solved together; in smaller ones, written-out operations are cheaper.
+  static constexpr int fewest_rows_together = 5, fewest_columns_together = 8;
+
   static constexpr bool is_zero(const symbolic::matrix& m) {
     for (const expression& e : m.entries)
       if (!e.is_zero()) return false;
@@ -216,17 +219,19 @@ private:
   constexpr symbolic::matrix accelerations() {
     const symbolic::matrix& change = changes_of_force();
     symbolic::symmetric_factorization mass(g_, form_.known.mass);
-    mass.prepare_for(change);
     symbolic::matrix out(g_, change.rows, variations_.size());
-    sequence<int> moved; // for each direction, the only speed whose equation it changes
+    sequence<int> moved, solved; // for each direction, the only speed whose equation it changes; the others
     for (int j = 0; j < out.columns; ++j) {
       sequence<expression> right;
       for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
       moved.push(only_entry(right));
-      if (moved[j] != none) continue;
-      const symbolic::symmetric_solution rates = mass.solve(right);
-      for (int i = 0; i < out.rows; ++i) out(i, j) = rates.x[i];
-      add_pivots(rates.pivots);
+      if (moved[j] == none) solved.push(j);
+    }
+    if (out.rows >= fewest_rows_together && solved.size() >= fewest_columns_together) {
+      add_pivots(mass.solve_together(change, solved, out));
+    } else {
+      mass.prepare_for(change);
+      for (int j : solved) solve_column(mass, change, j, out);
     }
     add_columns_of_inverse(out, mass, change, moved);
     for (int i = 0; i < direct_.rows; ++i)
@@ -296,6 +301,15 @@ private:
         found = i;
       }
     return found;
+  }
+
+  constexpr void solve_column(const symbolic::symmetric_factorization& mass, const symbolic::matrix& change,
+                              int column, symbolic::matrix& out) {
+    sequence<expression> right;
+    for (int i = 0; i < out.rows; ++i) right.push(change(i, column));
+    const symbolic::symmetric_solution rates = mass.solve(right);
+    for (int i = 0; i < out.rows; ++i) out(i, column) = rates.x[i];
+    add_pivots(rates.pivots);
   }
 
   /// Adds the rates for directions that change the equation of only one speed, as the torque of a motor does;

@@ -77,6 +77,8 @@ constexpr int solution(graph& g, operation op, int factorization, int right) {
 constexpr int component(graph& g, int solution, int index) {
   if (solution == graph::zero) return graph::zero;
   const node n = g[solution];
+  if (n.op == operation::symmetric_solve)
+    return g.find_or_append({operation::component, solution, g.constant(exactly(index))});
   const int order = order_of(g, n.a);
   const sequence<int> right = elements_of(g, n.b);
   if (order == 1) return divide(g, right[0], entries_of(g, n.a)[0]);

@@ -25,6 +25,13 @@ constexpr sequence<int> elements_of(const graph& g, int list) {
   return elements;
 }
 
+/// The elements of a list of rows, row by row.
+constexpr sequence<int> elements_of_rows(const graph& g, int rows) {
+  sequence<int> elements;
+  for (; g[rows].op == operation::pair; rows = g[rows].b) append_elements(g, g[rows].a, elements);
+  return elements;
+}
+
 /// An integer stored as an operand: an order or an index.
 constexpr int integer_at(const graph& g, int constant) {
   return static_cast<int>(g.number_at(constant).numerator);
@@ -45,10 +52,7 @@ constexpr int order_of(const graph& g, int factorization) { return integer_at(g,
 
 /// The entries of a factorized matrix, row by row.
 constexpr sequence<int> entries_of(const graph& g, int factorization) {
-  sequence<int> entries;
-  for (int rows = g[factorization].a; g[rows].op == operation::pair; rows = g[rows].b)
-    append_elements(g, g[rows].a, entries);
-  return entries;
+  return elements_of_rows(g, g[factorization].a);
 }
 
 } // namespace kanexpr::symbolic

@@ -46,7 +46,8 @@ enum class operation : unsigned char {
   component,           ///< an element of a solution; the constant b is its zero-based index
   singularity_measure, ///< distance of a factorization from singularity: the determinant if small, otherwise
                        ///< the pivots relative to the list b, the squared sizes of the entries
-  call, ///< call to a user-defined function with a list of operands; the constant b is its index
+  call,            ///< call to a user-defined function with a list of operands; the constant b is its index
+  symmetric_solve, ///< M X = B: the factors of M = LᵀDL and the matrix b, both as lists of rows
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }

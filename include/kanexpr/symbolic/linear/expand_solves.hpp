@@ -46,7 +46,7 @@ public:
       const node n = g_[id];
       if (n.op <= operation::symbol) continue;
       const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
-      if (n.op == operation::component)
+      if (n.op == operation::component && is_solution(g_[n.a].op))
         image[id] = element(n, a);
       else if (n.op == operation::singularity_measure && is_small(n.a))
         image[id] = measure(n, a);
@@ -67,7 +67,7 @@ private:
       uses_.push({id, {}, 0, false, {}});
     } else if (is_solution(n.op)) {
       uses_[uses_of_[n.a]].solutions.push(id);
-    } else if (n.op == operation::component) {
+    } else if (n.op == operation::component && is_solution(g_[n.a].op)) {
       ++uses_[uses_of_[g_[n.a].a]].results;
     } else if (n.op == operation::singularity_measure) {
       uses_[uses_of_[n.a]].measured = true;

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/numeric/symmetric_columns.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
+#include <kanexpr/symbolic/linear/symmetric_columns.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -163,8 +166,106 @@ public:
     return solved;
   }
 
+  /// Solves for several columns of `right` into the same columns of `x`, as one node for all columns whose
+  /// right-hand sides become nonzero in about the same rows, and returns the pivots.
+  constexpr sequence<pivot> solve_together(const matrix& right, const sequence<int>& columns,
+                                           matrix& x) const {
+    sequence<pivot> pivots = pivots_;
+    const int factors = list_of_factors(pivots);
+    for (const column_group& group : groups_of(right, columns)) solve_group(right, group.columns, factors, x);
+    return pivots;
+  }
+
 private:
   static constexpr int none = -1;
+
+  /// The factors in their numeric layout, a row for each pivot.
+  constexpr int list_of_factors(sequence<pivot>& pivots) const {
+    sequence<int> rows;
+    for (int step = 0; step < n_; ++step) {
+      const int p = order_[step];
+      int inverse = inverses_[p];
+      if (inverse == graph::zero) { // not coupled to any remaining unknown
+        inverse = divide(g_, graph::one, left_.entry[p * n_ + p]);
+        note(p, inverse, pivots);
+      }
+      sequence<int> row{inverse};
+      for (int later = step + 1; later < n_; ++later) row.push(factors_[p * n_ + order_[later]]);
+      rows.push(list_of(g_, row));
+    }
+    return list_of(g_, rows);
+  }
+
+  /// Columns that are solved together.
+  struct column_group {
+    sequence<int> columns{};
+    sequence<char> filled{}; ///< the rows in which the reduced right-hand side of any column is nonzero
+    int steps = 0;           ///< for each column
+  };
+
+  constexpr sequence<column_group> groups_of(const matrix& right, const sequence<int>& columns) const {
+    sequence<column_group> groups;
+    for (int j : columns) {
+      column_group added{{j}, sequence<char>(n_, 0)};
+      for (int i = 0; i < n_; ++i) added.filled[i] = right(i, j).is_zero() ? 0 : 1;
+      fill(added);
+      bool is_new = true;
+      for (column_group& each : groups) is_new = is_new && !join(each, added, false);
+      if (is_new) groups.push(added);
+    }
+    for (int i = groups.size() - 1; i > 0; --i)
+      for (int k = 0; k < i; ++k)
+        if (join(groups[k], groups[i], true)) {
+          groups[i] = groups.back();
+          groups.pop();
+          break;
+        }
+    return groups;
+  }
+  static constexpr int fewest_per_added = 8; ///< steps for which one may be added
+
+  /// Completes the rows that become nonzero, and counts the steps.
+  constexpr void fill(column_group& group) const {
+    const int* const factors = factors_.begin();
+    char* const filled = group.filled.begin();
+    group.steps = n_;
+    for (int p : order_)
+      for (int i = 0; i < n_; ++i) {
+        if (factors[p * n_ + i] == graph::zero) continue;
+        ++group.steps;
+        if (filled[p] != 0) filled[i] = 1, ++group.steps;
+      }
+  }
+
+  /// Joins two groups unless this adds steps, or too many.
+  constexpr bool join(column_group& one, const column_group& other, bool adds) const {
+    column_group both{one.columns, one.filled};
+    both.columns.append(other.columns);
+    for (int i = 0; i < n_; ++i)
+      if (other.filled[i] != 0) both.filled[i] = 1;
+    fill(both);
+    const int apart = one.steps * one.columns.size() + other.steps * other.columns.size(),
+              together = both.steps * both.columns.size();
+    if (together > apart + (adds ? apart / fewest_per_added : 0)) return false;
+    one = both;
+    return true;
+  }
+
+  constexpr void solve_group(const matrix& right, const sequence<int>& group, int factors, matrix& x) const {
+    sequence<int> rows;
+    for (int p : order_) {
+      sequence<int> row;
+      for (int j : group) row.push(right(p, j).node());
+      rows.push(list_of(g_, row));
+    }
+    const int node = g_.find_or_append({operation::symmetric_solve, factors, list_of(g_, rows)});
+    const sequence<char> filled = symmetric_columns(g_, g_[node]).steps().filled;
+    for (int step = 0, index = 0; step < n_; ++step)
+      for (int j : group) {
+        const int place = index++;
+        if (filled[step] != 0) x(order_[step], j) = {g_, component(g_, node, place)};
+      }
+  }
 
   constexpr void eliminate(int p) {
     int* const entry = left_.entry;

@@ -18,6 +18,7 @@ struct number {
   double real = 0;
 
   constexpr bool exact() const { return denominator != 0; }
+  constexpr bool is_zero() const { return numerator == 0 && denominator != 0; }
   constexpr bool integer() const { return denominator == 1; }
   constexpr double value() const {
     return exact() ? static_cast<double>(numerator) / static_cast<double>(denominator) : real;

@@ -109,6 +109,9 @@ private:
     case form::power: found |= originates; break;
     case form::selection: found |= b & never_negative; break;
     case form::list_operation:
+      if (n.op == operation::symmetric_solve || n.op == operation::pair ||
+          g_[n.a].op == operation::symmetric_solve)
+        break;                                                             // sums and products
       found |= n.op == operation::call ? originates | may_fail : may_fail; // the result has a separate status
       break;
     case form::negate:
