@@ -34,8 +34,8 @@ consteval int lanes_for_columns() {
                                std::is_same_v<Number, double>;
 #endif
   if constexpr (!has_vectors || bytes_of_register == 0) return 1;
-  constexpr int lanes = bytes_of_register / static_cast<int>(sizeof(Number));
-  return lanes < columns_in_step ? lanes : columns_in_step;
+  constexpr int most = bytes_of_register / static_cast<int>(sizeof(Number));
+  return most < columns_in_step ? most : columns_in_step;
 }
 
 /// The distance of rows with so many columns.
@@ -44,11 +44,11 @@ constexpr int stride_for(int columns) {
 }
 
 /// Several numbers as one value, in registers and at any place in memory; a single number is itself.
-template <class Number, int lanes>
+template <class Number, int count>
 struct number_vector {
-  typedef Number type __attribute__((vector_size(lanes * sizeof(Number))));
+  typedef Number type __attribute__((vector_size(count * sizeof(Number))));
   typedef Number in_memory
-      __attribute__((vector_size(lanes * sizeof(Number)), aligned(alignof(Number)), may_alias));
+      __attribute__((vector_size(count * sizeof(Number)), aligned(alignof(Number)), may_alias));
 };
 template <class Number>
 struct number_vector<Number, 1> {
@@ -98,16 +98,16 @@ public:
 template <class Code, int index, class Number, class Places>
 class vector_columns {
   using plan = column_plan<Code, index>;
-  static constexpr int lanes = lanes_for_columns<Number>(), stride = stride_for(plan::columns),
-                       columns_taken = (plan::columns + lanes - 1) / lanes * lanes,
+  static constexpr int at_once = lanes_for_columns<Number>(), stride = stride_for(plan::columns),
+                       columns_taken = (plan::columns + at_once - 1) / at_once * at_once,
                        first = Places::columns(index);
-  using vector = typename number_vector<Number, lanes>::type;
-  using vector_in_memory = typename number_vector<Number, lanes>::in_memory;
+  using vector = typename number_vector<Number, at_once>::type;
+  using vector_in_memory = typename number_vector<Number, at_once>::in_memory;
 
 public:
   [[gnu::noinline]] static void run(Number* memory) noexcept {
     complete(memory, up_to<plan::order * columns_taken>{});
-    for (int column = 0; column < columns_taken; column += lanes)
+    for (int column = 0; column < columns_taken; column += at_once)
       solve(memory, memory + first + column, up_to<plan::order>{}, up_to<plan::count>{});
   }
 
@@ -134,7 +134,8 @@ private:
   template <int... entry>
   [[gnu::always_inline]] static void complete([[maybe_unused]] Number* memory,
                                               std::integer_sequence<int, entry...>) noexcept {
-    (copy<copied_from(entry)>(memory, memory + place(entry)), ...);
+    const int order[]{(copy<copied_from(entry)>(memory, memory + place(entry)), 0)...};
+    static_cast<void>(order);
   }
   template <int slot>
   [[gnu::always_inline]] static void copy([[maybe_unused]] const Number* memory,
