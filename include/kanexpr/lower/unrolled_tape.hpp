@@ -2,6 +2,7 @@
 
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/lower/step_plan.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
 #include <kanexpr/lower/vector_step.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
@@ -10,35 +11,6 @@
 #include <utility>
 
 namespace kanexpr::lower {
-
-/// The action of each step that follows the angles of a tape, encoded as one number, so that all steps with
-/// the same action share one function. A step that fills several slots stores its values in scratch memory,
-/// from which each slot takes its value.
-template <class Code>
-struct step_plan {
-  static constexpr const auto& tape = Code::tape;
-  /// The actions other than operations and components: a sine with its cosine, and the linear steps from
-  /// `first_linear_step` downward.
-  static constexpr int sine_and_cosine = -1, first_linear_step = -2;
-  static constexpr int component = static_cast<int>(operation::component);
-
-  static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
-  int what[steps]{};
-  int aside[steps]{};
-  int aside_count = 0;
-
-  constexpr step_plan() {
-    for (int i = 0; i < tape.sizes.steps; ++i)
-      what[i] = !tape.paired[i]                ? static_cast<int>(tape.op[i])
-                : tape.op[i] == operation::sin ? sine_and_cosine
-                                               : component;
-    for (int i = 0; i < tape.sizes.linear_steps; ++i) what[tape.linear_steps[i].step] = first_linear_step - i;
-    for (int i = tape.sizes.first_angle + 2 * tape.sizes.angles; i < tape.sizes.steps; ++i)
-      if (uses_aside(what[i])) aside[i] = aside_count++;
-  }
-
-  static constexpr bool uses_aside(int what) { return what < 0 || what == component; }
-};
 
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
@@ -54,9 +26,9 @@ public:
   /// `arguments(load)` returns the value of each load.
   template <class Arguments>
   [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
-    run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
-        up_to<angles>{}, up_to<first + first_angle>{}, up_to<2 * angles>{},
-        up_to<tape.sizes.steps - behind>{}, up_to<tape.sizes.results>{});
+    run(arguments, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{},
+        up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{},
+        up_to<tape.sizes.results>{});
   }
 
   template <int index>
@@ -70,25 +42,30 @@ public:
   /// Evaluates a piece of a longer tape: the loads are places in `memory`, and steps whose values other
   /// pieces use store them at once, so that they need no register until the end.
   [[gnu::always_inline]] static void run_in(Number* memory) noexcept {
-    run_in(memory, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
-           up_to<angles>{}, up_to<first + first_angle>{}, up_to<2 * angles>{},
-           up_to<tape.sizes.steps - behind>{});
+    run_in(memory, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{},
+           up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{});
   }
 
 private:
-  static constexpr step_plan<Code> plan{};
   static constexpr bool with_vectors = uses_vectors<Code, Number>();
-  static constexpr int first = tape.first_step(), first_angle = tape.sizes.first_angle,
-                       angles = tape.sizes.angles, behind = first_angle + 2 * angles;
+  /// Derivatives in many columns use the arguments everywhere: processors with vectors take 1 to 2 % longer
+  /// for those of the iiwa if each argument is read where it is first used, and less for everything else.
+  static constexpr bool reads_late = tape.sizes.columns == 0 || !has_vectors<Number>;
+  static constexpr step_plan<Code, reads_late> plan{};
+  static constexpr int first_angle = tape.sizes.first_angle, angles = tape.sizes.angles,
+                       given_before = tape.sizes.numbers + plan.early_count + first_angle;
 
   template <int count>
   using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
   // consteval, because clang++ would otherwise load an index from the tape
-  static consteval int a(int step) { return tape.a[step]; }
-  static consteval int b(int step) { return tape.b[step]; }
-  static consteval int slot_of(int result) { return tape.results[result]; }
+  static consteval int a(int entry) { return plan.a[entry]; }
+  static consteval int b(int entry) { return plan.b[entry]; }
+  static consteval int a_of_step(int step) { return plan.place[tape.a[step]]; }
+  static consteval int b_of_step(int step) { return plan.place[tape.b[step]]; }
+  static consteval int place_of(int result) { return plan.place[tape.results[result]]; }
+  static consteval load early(int index) { return tape.loads[plan.early[index]]; }
 
   /// Numbers are passed by value, because a reference would require them to be in memory.
   using operand = std::conditional_t<std::is_arithmetic_v<Number>, Number, const Number&>;
@@ -96,21 +73,21 @@ private:
   /// A single call computes the sines and cosines of all angles that are known at the start; a scalar type
   /// may replace the function that it calls.
   template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
-            int... turned, int... after, int... result>
+            int... turned, int... entry, int... result>
   [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,
                                   std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
                                   std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
                                   std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-                                  std::integer_sequence<int, after...>,
+                                  std::integer_sequence<int, entry...>,
                                   std::integer_sequence<int, result...>) noexcept {
-    [[maybe_unused]] const Number given[at_least_one(first + first_angle)] {
+    [[maybe_unused]] const Number given[at_least_one(given_before)] {
       number_as<Number>(tape.numbers[number])...,
-      arguments.template operator()<tape.loads[load].from, tape.loads[load].position>()...,
-      take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr)...
+      arguments.template operator()<early(load).from, early(load).position>()...,
+      apply<tape.op[before], Number>(given[a_of_step(before)], given[b_of_step(before)])...
     };
     [[maybe_unused]] Number sine[at_least_one(angles)], cosine[at_least_one(angles)];
     if constexpr (angles > 0) {
-      const Number all[]{given[a(first_angle + 2 * angle)]...};
+      const Number all[]{given[a_of_step(first_angle + 2 * angle)]...};
       scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
     if constexpr (with_vectors) {
@@ -120,30 +97,30 @@ private:
       [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
       [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
           given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-          take<plan.what[behind + after]>(
-              slot[a(behind + after)], slot[b(behind + after)],
-              plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
-              plan.what[behind + after] < 0 ? slot : nullptr)...};
-      const int order[]{0, (result_[result] = slot[slot_of(result)], 0)...};
+          take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
+                                 plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
+                                 plan.what[entry] < 0 ? slot : nullptr, &arguments)...};
+      const int order[]{0, (result_[result] = slot[place_of(result)], 0)...};
       static_cast<void>(order);
     }
   }
 
   template <int... number, int... load, int... before, int... angle, int... known, int... turned,
-            int... after>
+            int... entry>
   [[gnu::always_inline]] static void
   run_in(Number* memory, std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
          std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
          std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-         std::integer_sequence<int, after...>) noexcept {
-    const Number given[at_least_one(first + first_angle)]{
-        number_as<Number>(tape.numbers[number])..., memory[position(load)]...,
+         std::integer_sequence<int, entry...>) noexcept {
+    const Number given[at_least_one(given_before)]{
+        number_as<Number>(tape.numbers[number])..., memory[early(load).position]...,
         kept<Code::to.is_kept[before]>(
-            take<plan.what[before]>(given[a(before)], given[b(before)], nullptr, nullptr),
+            apply<tape.op[before], Number>(given[a_of_step(before)], given[b_of_step(before)]),
             memory + place(before))...};
+    const arguments_in_memory arguments{memory};
     [[maybe_unused]] Number sine[at_least_one(angles)], cosine[at_least_one(angles)];
     if constexpr (angles > 0) {
-      const Number all[]{given[a(first_angle + 2 * angle)]...};
+      const Number all[]{given[a_of_step(first_angle + 2 * angle)]...};
       scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
     [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
@@ -151,16 +128,28 @@ private:
         given[known]...,
         kept<Code::to.is_kept[first_angle + turned]>((turned % 2 == 0 ? sine : cosine)[turned / 2],
                                                      memory + place(first_angle + turned))...,
-        kept<Code::to.is_kept[behind + after]>(
-            take<plan.what[behind + after]>(
-                slot[a(behind + after)], slot[b(behind + after)],
-                plan.uses_aside(plan.what[behind + after]) ? aside + plan.aside[behind + after] : nullptr,
-                plan.what[behind + after] < 0 ? slot : nullptr),
-            memory + place(behind + after))...};
+        kept<is_kept(entry)>(
+            take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
+                                   plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
+                                   plan.what[entry] < 0 ? slot : nullptr, &arguments),
+            memory + place_of_entry(entry))...};
   }
 
-  static consteval int position(int load) { return tape.loads[load].position; }
+  /// The arguments of a piece.
+  struct arguments_in_memory {
+    const Number* memory;
+
+    template <symbolic::symbol_kind, int position>
+    [[gnu::always_inline]] const Number& operator()() const noexcept {
+      return memory[position];
+    }
+  };
+
   static consteval int place(int step) { return Code::to.place[step]; }
+  static consteval bool is_kept(int entry) {
+    return plan.step[entry] >= 0 && Code::to.is_kept[plan.step[entry]];
+  }
+  static consteval int place_of_entry(int entry) { return is_kept(entry) ? place(plan.step[entry]) : 0; }
 
   /// Returns the value of a step, and stores it if other pieces use it.
   template <bool is_stored>
@@ -169,12 +158,15 @@ private:
     return value;
   }
 
-  /// Returns the value of a slot. Only steps that need them receive the scratch memory and the slots.
-  template <int what>
-  [[gnu::always_inline]] static Number take(operand a, [[maybe_unused]] operand b,
-                                            [[maybe_unused]] Number* aside,
-                                            [[maybe_unused]] const Number* slot) noexcept {
-    if constexpr (!plan.uses_aside(what)) {
+  /// Returns the value of an entry. Only steps that need them receive the scratch memory and the slots.
+  template <int what, class Arguments>
+  [[gnu::always_inline]] static Number
+  take(operand a, [[maybe_unused]] operand b, [[maybe_unused]] Number* aside,
+       [[maybe_unused]] const Number* slot, [[maybe_unused]] const Arguments* arguments) noexcept {
+    if constexpr (what <= plan.first_argument) {
+      constexpr load from = tape.loads[plan.first_argument - what];
+      return arguments->template operator()<from.from, from.position>();
+    } else if constexpr (!plan.uses_aside(what)) {
       return apply<static_cast<operation>(what), Number>(a, b);
     } else {
       if constexpr (what == plan.sine_and_cosine)
@@ -193,15 +185,16 @@ private:
     } else if constexpr (e.op == operation::singularity_measure) {
       Number squares[static_cast<std::size_t>(e.inputs())];
       gather<e.operands>(squares, slot, up_to<e.inputs()>{});
-      *out = unrolled_elimination<e.order, Number>::singularity_measure(slot + e.factors, squares);
+      *out =
+          unrolled_elimination<e.order, Number>::singularity_measure(slot + plan.place[e.factors], squares);
     } else {
       gather<e.operands>(out, slot, up_to<e.inputs()>{});
       if constexpr (e.op == operation::factorization)
         unrolled_elimination<e.order, Number>::factorize(out);
       else if constexpr (e.op == operation::solve)
-        unrolled_elimination<e.order, Number>::solve(slot + e.factors, out);
+        unrolled_elimination<e.order, Number>::solve(slot + plan.place[e.factors], out);
       else
-        unrolled_elimination<e.order, Number>::solve_transposed(slot + e.factors, out);
+        unrolled_elimination<e.order, Number>::solve_transposed(slot + plan.place[e.factors], out);
     }
   }
 
@@ -210,13 +203,13 @@ private:
                                             std::integer_sequence<int, index...>) noexcept {
     constexpr linear_step e = tape.linear_steps[step];
     using function = decltype(callable_of(symbolic::external_key<tape.externals[e.factors]>{}));
-    return scalar_math<Number>::template called<function>(slot[tape.operands[e.operands + index]]...);
+    return scalar_math<Number>::template called<function>(slot[plan.operands[e.operands + index]]...);
   }
 
   template <int begin, int... index>
   [[gnu::always_inline]] static void gather(Number* out, const Number* slot,
                                             std::integer_sequence<int, index...>) noexcept {
-    const int order[]{(out[index] = slot[tape.operands[begin + index]], 0)...};
+    const int order[]{(out[index] = slot[plan.operands[begin + index]], 0)...};
     static_cast<void>(order);
   }
 

@@ -160,12 +160,63 @@ template <std::size_t index, std::size_t count, class Number, class Value>
     return polynomial<index + 1>(coefficients, x) * x + coefficients[index];
 }
 
+/// The sine and the cosine of the offset from a multiple of π/2.
+template <class Value>
+[[gnu::always_inline]] constexpr void sum_series(const reduced_angle<Value>& r, Value& along, Value& across) {
+  using number = number_of<Value>;
+  using known = circular<number>;
+  const Value square = r.offset * r.offset;
+  const Value cube = r.offset * square;
+  const Value falling = square * polynomial<0>(known::of_cosine, square) - number(0.5);
+  if constexpr (has_rest<Value>) {
+    along = r.offset + (r.rest + cube * polynomial<0>(known::of_sine, square));
+    across = number(1) + (square * falling - r.offset * r.rest);
+  } else {
+    along = r.offset + cube * polynomial<0>(known::of_sine, square);
+    across = number(1) + square * falling;
+  }
+}
+
+#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8) && defined(__thumb2__)
+/// The same bits for processors that can make any instruction depend on a condition, but select no numbers:
+/// the numbers stay in floating-point registers. The sign of the angle needs no care, because every operation
+/// is odd or even in it.
+[[gnu::always_inline]] inline void sine_and_cosine_in_thumb(float angle, float& sine, float& cosine) {
+#if defined(KANEXPR_ANGLES_WITHIN_REACH)
+  float nothing = 0;
+  asm("" : "+t"(nothing)); // hides it from -ffast-math
+  angle =
+      __builtin_fmaf(angle * 0x1.fffffep110F, nothing, angle); // beyond the farthest angle, infinity times 0
+#endif
+  const reduced_angle<float> r = reduced(angle);
+  float along, across;
+  sum_series(r, along, across);
+  auto quadrant = r.quadrant;
+  // The lowest two bits become the flags N and C.
+  asm("lsls %[quadrant], %[quadrant], #31\n\t"
+      "itt cs\n\t"
+      "vnegcs.f32 %[along], %[along]\n\t"
+      "vnegcs.f32 %[across], %[across]\n\t"
+      "vmov.f32 %[sine], %[along]\n\t"
+      "itt mi\n\t"
+      "vmovmi.f32 %[sine], %[across]\n\t"
+      "vnegmi.f32 %[across], %[along]"
+      : [along] "+t"(along), [across] "+t"(across), [sine] "=&t"(sine), [quadrant] "+r"(quadrant)
+      :
+      : "cc");
+  cosine = across;
+}
+#endif
+
 template <class Value>
 [[gnu::always_inline]] constexpr void sine_and_cosine_in_range(const Value& angle, Value& sine,
                                                                Value& cosine) {
+#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8) && defined(__thumb2__)
+  if constexpr (std::is_same_v<Value, float>)
+    if (!std::is_constant_evaluated()) return sine_and_cosine_in_thumb(angle, sine, cosine);
+#endif
   using number = number_of<Value>;
   using bits = bits_of<Value>;
-  using known = circular<number>;
   constexpr int last = 8 * sizeof(number) - 1;
   constexpr auto sign = number_bits<Value>{1} << last;
   const bits given = __builtin_bit_cast(bits, angle);
@@ -175,17 +226,8 @@ template <class Value>
       0 - ((__builtin_bit_cast(number_bits<Value>, number(farthest_angle)) - magnitude) >> last); // NaN
 #endif
   const reduced_angle<Value> r = reduced(__builtin_bit_cast(Value, magnitude));
-  const Value square = r.offset * r.offset;
-  const Value cube = r.offset * square;
-  const Value falling = square * polynomial<0>(known::of_cosine, square) - number(0.5);
   Value along, across;
-  if constexpr (has_rest<Value>) {
-    along = r.offset + (r.rest + cube * polynomial<0>(known::of_sine, square));
-    across = number(1) + (square * falling - r.offset * r.rest);
-  } else {
-    along = r.offset + cube * polynomial<0>(known::of_sine, square);
-    across = number(1) + square * falling;
-  }
+  sum_series(r, along, across);
   // Odd quadrants exchange sine and cosine.
   const bits s = __builtin_bit_cast(bits, along), c = __builtin_bit_cast(bits, across);
   const bits exchanged = (s ^ c) & (0 - (r.quadrant & 1));

@@ -49,21 +49,33 @@ inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& o
                    : fill_template(part("reduction_of_double"),
                                    {{"quadrants", wide.number(circular<double>::quadrants)},
                                     {"integers", wide.number(circular<double>::integers)}});
+  const std::string in_thumb =
+      of.is_single ? fill_template(part("in_thumb"), {{"name", name},
+                                                      {"quadrants", single(circular<float>::quadrants)},
+                                                      {"integers", single(circular<float>::integers)},
+                                                      {"half", of.number(0.5)},
+                                                      {"one", of.number(1)},
+                                                      {"C", of_cosine},
+                                                      {"S", of_sine}})
+                   : "";
   const std::string sum =
       of.is_single ? fill_template(part("sum_of_float"),
                                    {{"S", of_sine}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
                    : with_rest;
-  return fill_template(part("function"), {{"name", name},
-                                          {"number", of.type()},
-                                          {"bits", of.bits()},
-                                          {"last", of.last_bit()},
-                                          {"sin", of.function("sin")},
-                                          {"cos", of.function("cos")},
-                                          {"farthest", of.number(numeric::farthest_angle)},
-                                          {"half", of.number(0.5)},
-                                          {"C", of_cosine},
-                                          {"reduction", reduction},
-                                          {"sum", sum}});
+  return fill_template(part("function"),
+                       {{"name", name},
+                        {"number", of.type()},
+                        {"bits", of.bits()},
+                        {"last", of.last_bit()},
+                        {"sin", of.function("sin")},
+                        {"cos", of.function("cos")},
+                        {"farthest", of.number(numeric::farthest_angle)},
+                        {"half", of.number(0.5)},
+                        {"C", of_cosine},
+                        {"in_thumb", in_thumb},
+                        {"end_in_thumb", std::string(of.is_single ? part("end_in_thumb") : "")},
+                        {"reduction", reduction},
+                        {"sum", sum}});
 }
 
 } // namespace kanexpr::exporting
