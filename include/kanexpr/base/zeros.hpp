@@ -10,6 +10,8 @@ namespace kanexpr::base {
 template <class Number>
 class zeros {
 public:
+  static constexpr int room = 1 << 19; ///< in constant evaluation
+
   constexpr zeros() = default;
   constexpr explicit zeros(int size) : size_(size) {
     if (__builtin_is_constant_evaluated() && size <= room) {
@@ -42,7 +44,6 @@ public:
   constexpr const Number* end() const { return data_ + size_; }
 
 private:
-  static constexpr int room = 1 << 19;
   struct block {
     Number value[room]{};
   };
