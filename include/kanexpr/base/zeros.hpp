@@ -35,6 +35,18 @@ public:
       delete[] data_;
   }
 
+  /// Adds zeros at the end.
+  constexpr void grow(int size) {
+    if (size <= size_) return;
+    if (block_ != nullptr && size <= room) {
+      size_ = size;
+      return;
+    }
+    zeros more(size);
+    for (int i = 0; i < size_; ++i) more.data_[i] = data_[i];
+    swap(more);
+  }
+
   constexpr int size() const { return size_; }
   constexpr Number& operator[](int i) { return data_[i]; }
   constexpr const Number& operator[](int i) const { return data_[i]; }

@@ -144,9 +144,7 @@ private:
   }
 
   constexpr void make_room() {
-    base::zeros<int> more(__builtin_is_constant_evaluated() ? base::zeros<int>::room : 2 * graph_->size());
-    for (int i = 0; i < room_; ++i) more[i] = rate_of_[i];
-    rates_ = static_cast<base::zeros<int>&&>(more);
+    rates_.grow(__builtin_is_constant_evaluated() ? base::zeros<int>::room : 2 * graph_->size());
     rate_of_ = rates_.begin();
     room_ = rates_.size();
   }
