@@ -10,6 +10,8 @@ namespace kanexpr::base {
 template <class Number>
 class zeros {
 public:
+  static constexpr int room = 1 << 19; ///< in constant evaluation
+
   constexpr zeros() = default;
   constexpr explicit zeros(int size) : size_(size) {
     if (__builtin_is_constant_evaluated() && size <= room) {
@@ -33,6 +35,18 @@ public:
       delete[] data_;
   }
 
+  /// Adds zeros at the end.
+  constexpr void grow(int size) {
+    if (size <= size_) return;
+    if (block_ != nullptr && size <= room) {
+      size_ = size;
+      return;
+    }
+    zeros more(size);
+    for (int i = 0; i < size_; ++i) more.data_[i] = data_[i];
+    swap(more);
+  }
+
   constexpr int size() const { return size_; }
   constexpr Number& operator[](int i) { return data_[i]; }
   constexpr const Number& operator[](int i) const { return data_[i]; }
@@ -42,7 +56,6 @@ public:
   constexpr const Number* end() const { return data_ + size_; }
 
 private:
-  static constexpr int room = 1 << 19;
   struct block {
     Number value[room]{};
   };

@@ -166,7 +166,10 @@ private:
   }
 
   constexpr void write(int integer) {
-    if (has_room(into_->integers, image::most_integers)) into_->integer[into_->integers++] = integer;
+    if (into_->integers == image::most_integers)
+      into_->is_full = true;
+    else
+      into_->integer[into_->integers++] = integer;
   }
   constexpr void write(const base::sequence<symbolic::expression>& all) {
     write(all.size());
@@ -174,8 +177,9 @@ private:
       into_->is_full = true;
       return;
     }
-    for (const symbolic::expression& e : all)
-      into_->integer[into_->integers++] = e.is_given() ? e.node() : none;
+    int* next = into_->integer + into_->integers;
+    for (const symbolic::expression& e : all) *next++ = e.is_given() ? e.node() : none;
+    into_->integers += all.size();
   }
 
   constexpr void write_nodes(const symbolic::graph& g) {
@@ -183,12 +187,15 @@ private:
       into_->is_full = true;
       return;
     }
-    into_->nodes = g.size();
-    int id = 0;
-    for (const symbolic::node& n : g) {
-      into_->op[id] = n.op;
-      into_->a[id] = n.a;
-      into_->b[id++] = n.b;
+    const int nodes = into_->nodes = g.size();
+    const symbolic::node* const all = g.begin(); // pointers, because compilers interpret every access
+    symbolic::operation* const op = into_->op;
+    int *const a = into_->a, *const b = into_->b;
+    for (int id = 0; id < nodes; ++id) {
+      const symbolic::node& n = all[id];
+      op[id] = n.op;
+      a[id] = n.a;
+      b[id] = n.b;
     }
   }
 

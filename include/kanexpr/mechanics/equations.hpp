@@ -54,7 +54,7 @@ public:
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.known_, self.constraints_, self.configuration_, self.speeds_, self.coordinates_,
           self.step_blocks_, self.input_blocks_, self.dynamics_, self.is_constrained_, self.is_mass_checked_,
-          self.is_mass_regular_, self.linearized_);
+          self.is_mass_regular_, self.is_solution_checked_, self.linearized_);
   }
 
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
@@ -279,7 +279,9 @@ private:
     const symbolic::matrix& formed = dynamics_.mass();
     if (mistake_ || is_mass_checked_) return formed;
     is_mass_checked_ = true;
-    mistake_ = check_mass_matrix(*m_, speeds_, formed);
+    sequence<expression> diagonal;
+    for (int i = 0; i < formed.rows; ++i) diagonal.push(formed(i, i));
+    mistake_ = check_mass_matrix(*m_, speeds_, diagonal);
     const bool is_positive = !system_->loads.has_lagrangian && positive_energy_proof(s_).is_positive();
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
     // if lengths are unbounded, a pivot may consist entirely of rounding errors
@@ -293,8 +295,26 @@ private:
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
-    mass(); // may report a mistake
+    if (!is_solution_checked_) check_solution();
     return dynamics_.accelerations();
+  }
+
+  /// Does what `mass` does; without M if u̇ does not need it.
+  constexpr void check_solution() {
+    is_solution_checked_ = true;
+    if (is_mass_checked_ || !dynamics_.solves_without_mass()) {
+      mass();
+      return;
+    }
+    if (mistake_) return;
+    const bool is_positive = positive_energy_proof(s_).is_positive();
+    sequence<int> values;
+    for (const symbolic::pivot& p : dynamics_.pivots_without_mass()) values.push(p.value.node());
+    is_mass_regular_ = is_positive && symbolic::depend_only_on_angles(*m_->g, values);
+    if (is_mass_regular_) return;
+    mistake_ = check_mass_matrix(*m_, speeds_, dynamics_.compare_pivots_with_diagonal());
+    if (!mistake_ && !is_positive && !are_clearly_regular(*m_, dynamics_.pivots_without_mass()))
+      mistake_ = check_same_mass(*m_, speeds_, dynamics_.mass());
   }
 
   constexpr sequence<expression> forces_of_gravity() const {
@@ -386,7 +406,8 @@ private:
       step_blocks_{}; ///< the blocks of the Newton step of the dependent coordinates
   sequence<symbolic::solved_block> input_blocks_{}; ///< the blocks of the required inputs
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
-  bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
+  bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false,
+       is_solution_checked_ = false;
   linearized_equations linearized_{
       {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_}};
 };

@@ -96,13 +96,6 @@ private:
 
 namespace detail {
 
-/// Whether a sum can be evaluated together with one of its operands, a product that nothing else uses.
-constexpr bool takes_in_product(const graph& g, const node& n, const sequence<int>& uses) {
-  if (n.op != operation::add && n.op != operation::subtract) return false;
-  return (g[n.a].op == operation::multiply && uses[n.a] == 1) ||
-         (g[n.b].op == operation::multiply && uses[n.b] == 1);
-}
-
 /// How often each live node is used.
 constexpr sequence<int> uses_of_nodes(const graph& g, const sequence<char>& live,
                                       const sequence<int>& outputs) {
@@ -128,10 +121,30 @@ constexpr void count_columns(const graph& g, const node& n, cost& total) {
 constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
   const sequence<char> live = live_nodes(g, outputs);
   const sequence<int> uses = uses_of_nodes(g, live, outputs);
+  const char* const is_live = live.begin(); // pointers, because compilers interpret every call
+  const int* const use = uses.begin();
+  const node* const nodes = g.begin();
   cost total;
-  for (int id = 0; id < g.size(); ++id) {
-    const node& n = g[id];
-    if (live[id] == 0 || is_leaf(n.op)) continue;
+  int products = 0, sums = 0, signs = 0, fused = 0; // most operations
+  for (int id = 0, end = live.size(); id < end; ++id) {
+    if (is_live[id] == 0) continue;
+    const node& n = nodes[id];
+    if (n.op <= operation::symbol) continue; // a leaf
+    if (n.op == operation::multiply) {
+      ++products;
+      continue;
+    }
+    if (n.op == operation::add || n.op == operation::subtract) {
+      ++sums;
+      if ((nodes[n.a].op == operation::multiply && use[n.a] == 1) ||
+          (nodes[n.b].op == operation::multiply && use[n.b] == 1))
+        ++fused; // with a product that nothing else uses
+      continue;
+    }
+    if (n.op == operation::negate) {
+      ++signs;
+      continue;
+    }
     if (n.op < operation::pair || n.op == operation::call)
       total.count(n.op);
     else if (n.op == operation::factorization)
@@ -142,11 +155,14 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
       count_columns(g, n, total);
     else if (n.op == operation::singularity_measure)
       total.count_singularity_measure(order_of(g, n.a));
-    if (takes_in_product(g, n, uses)) ++total.fused;
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
-    if (sine >= 0 && live[sine] != 0) --total.trigonometric;
+    if (sine >= 0 && is_live[sine] != 0) --total.trigonometric;
   }
+  total.count(operation::multiply, products);
+  total.count(operation::add, sums);
+  total.count(operation::negate, signs);
+  total.fused += fused;
   return total;
 }
 

@@ -9,6 +9,16 @@
 
 namespace kanexpr::symbolic {
 
+/// Adds the elimination of one unknown that is coupled to `others` of the remaining ones.
+constexpr void count_elimination(cost& total, int others) {
+  total.count(operation::divide);
+  if (others == 0) return;
+  const int updates = others * (others + 1) / 2 + 2 * others; // of M, of f and of x
+  total.count(operation::multiply, updates + others + 1);
+  total.count(operation::subtract, updates);
+  total.fused += updates;
+}
+
 /// The cost of solving M x = f by `symmetric_factorization`, from the pattern of zeros of M only: neither M
 /// nor f are included, and every entry of f counts as nonzero.
 constexpr cost elimination_cost(const matrix& m) {
@@ -19,12 +29,7 @@ constexpr cost elimination_cost(const matrix& m) {
   for (int step = 0; step < n; ++step) {
     const int p = left.next(positions), others = left.degree[p];
     positions[p] = step;
-    total.count(operation::divide);
-    if (others == 0) continue;
-    const int updates = others * (others + 1) / 2 + 2 * others; // of M, of f and of x
-    total.count(operation::multiply, updates + others + 1);
-    total.count(operation::subtract, updates);
-    total.fused += updates;
+    count_elimination(total, others);
     for (int i = 0; i < n; ++i) {
       if (positions[i] >= 0 || left.entry[p * n + i] == graph::zero) continue;
       --left.degree[i];

@@ -166,11 +166,11 @@ constexpr sentence check_added_entities(const multibody_system& of, int frames, 
   return detail::system_checker(of).run_on_added(frames, points);
 }
 
-/// Reports a zero on the diagonal of the mass matrix.
+/// Reports a zero on the diagonal of the mass matrix of the independent speeds.
 constexpr sentence check_mass_matrix(const mechanism& m, const partition& speeds,
-                                     const symbolic::matrix& mass) {
-  for (int i = 0; i < mass.rows; ++i)
-    if (mass(i, i).is_zero()) {
+                                     const sequence<expression>& diagonal) {
+  for (int i = 0; i < diagonal.size(); ++i)
+    if (diagonal[i].is_zero()) {
       const int place = speeds.independent[i];
       return m.derived_by == method::kane
                  ? sentence({"speed ", called(m, m.speeds[place]), " moves no mass"})

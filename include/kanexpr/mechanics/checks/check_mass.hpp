@@ -54,6 +54,21 @@ constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::mat
 
 } // namespace detail
 
+/// Whether every pivot of the elimination of a mass matrix is clearly different from zero, relative to its
+/// diagonal entry, at a generic state. Constant pivots are not known; they count as zero.
+constexpr bool are_clearly_regular(const mechanism& m, const sequence<symbolic::pivot>& pivots) {
+  if (pivots.size() < m.speeds_of_motion()) return false;
+  symbolic::matrix both(*m.g, pivots.size(), 2);
+  for (int i = 0; i < pivots.size(); ++i) both(i, 0) = pivots[i].value, both(i, 1) = pivots[i].entry;
+  for (const numbers& state : at_generic_states(both, &m)) {
+    bool is_regular = true;
+    for (int i = 0; i < state.rows; ++i)
+      is_regular = is_regular && detail::magnitude(state(i, 0)) > clearly * detail::magnitude(state(i, 1));
+    if (is_regular) return true;
+  }
+  return false;
+}
+
 /// Checks at generic states for speeds that move the same mass; `mass` is the mass matrix of the independent
 /// speeds.
 constexpr sentence check_same_mass(const mechanism& m, const partition& speeds,

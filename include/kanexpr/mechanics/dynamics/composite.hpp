@@ -30,8 +30,13 @@ struct composite {
 /// farther outward.
 class mass_matrix_builder {
 public:
-  constexpr explicit mass_matrix_builder(const skeleton& s)
-      : s_(s), m_(*s.model), at_(s_.stations.size()), result_(*m_.g, m_.ways(), m_.ways()) {
+  enum class extent : unsigned char { whole, diagonal };
+
+  /// Of a system with flexible bodies, the whole matrix must be formed.
+  constexpr explicit mass_matrix_builder(const skeleton& s, extent wanted = extent::whole)
+      : s_(s), m_(*s.model), at_(s_.stations.size()), result_(*m_.g, m_.ways(), m_.ways()),
+        is_carried_(m_.ways(), wanted == extent::whole ? 1 : 0), is_whole_(wanted == extent::whole) {
+    if (!is_whole_) carry_speeds_of_several_motions();
     for (const mechanics::link& l : s_.base_links) {
       composite& c = composite_of(l.station, l.frame);
       const path to_working(m_, s_.body_axes[l.frame], s_.working_axes[l.frame]);
@@ -63,6 +68,17 @@ private:
     at_[n].push(fresh);
     return at_[n].back();
   }
+
+  /// For the diagonal, the columns of speeds that enter once are not needed farther inward.
+  constexpr void carry_speeds_of_several_motions() {
+    sequence<char> is_known(m_.ways(), 0);
+    for (const auto* each : {&s_.partial_angular_velocities, &s_.partial_velocities})
+      for (const sequence<partial_velocity>& partials : *each)
+        for (const partial_velocity& v : partials)
+          (is_known[v.speed] != 0 ? is_carried_ : is_known)[v.speed] = 1;
+  }
+
+  constexpr bool is_wanted(int i, int j) const { return is_whole_ || i == j; }
 
   constexpr void add(int i, int j, expression term) {
     i >= j ? result_(i, j) += term : result_(j, i) += term;
@@ -179,10 +195,14 @@ private:
       return express(m_, k.force, axes);
     };
     for (int i = 0; i < ways.size(); ++i) {
-      for (int j = 0; j <= i; ++j) add(ways[i].speed, ways[j].speed, dot(ways[j].value, felt(entering[i])));
-      for (const composite::column& k : c.columns) meet(ways[i].speed, k, dot(ways[i].value, felt(k)));
+      for (int j = 0; j <= i; ++j)
+        if (is_wanted(ways[i].speed, ways[j].speed))
+          add(ways[i].speed, ways[j].speed, dot(ways[j].value, felt(entering[i])));
+      for (const composite::column& k : c.columns)
+        if (is_wanted(ways[i].speed, k.speed)) meet(ways[i].speed, k, dot(ways[i].value, felt(k)));
     }
     for (const composite::column& k : entering) {
+      if (is_carried_[k.speed] == 0) continue;
       composite::column& sum = column_of(c, k.speed, *m_.g);
       sum.force.add(k.force);
       sum.moment += k.moment;
@@ -193,6 +213,8 @@ private:
   const mechanism& m_;
   sequence<sequence<composite>> at_;
   symbolic::matrix result_;
+  sequence<char> is_carried_; ///< by speed
+  bool is_whole_;
 };
 
 } // namespace kanexpr::mechanics

@@ -13,6 +13,9 @@
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/linear/cofactors.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
+
+#include <utility>
 
 namespace kanexpr::mechanics {
 
@@ -86,7 +89,7 @@ public:
 
   /// B = M_di + M_dd A.
   constexpr const symbolic::matrix& coupling() {
-    if (has_coupling_) return coupling_;
+    if (has_coupling_ || speeds_.dependent.empty()) return coupling_;
     const symbolic::matrix& mass = free_mass();
     coupling_ = mechanics::coupling(*m_.g, mass, speeds_, dependent().on_independent);
     has_coupling_ = true;
@@ -123,6 +126,35 @@ public:
   constexpr const sequence<expression>& accelerations() {
     if (udot_.empty()) udot_ = of_all_speeds(solved_for_accelerations());
     return udot_;
+  }
+
+  /// Whether u̇ follows from articulated bodies without M, because the model determines it or because the
+  /// elimination of M would cost more, whatever its entries are. M is then not formed.
+  constexpr bool solves_without_mass() {
+    if (is_solution_chosen_) return !without_mass_.x.empty();
+    is_solution_chosen_ = true;
+    const formulation& form = m_.formulated;
+    if (!is_tree() || form.speeds == internal_speeds::absolute || has_sines_in_components(m_, loads_))
+      return false;
+    const bool is_given = form.solved_by == solution::articulated_bodies;
+    const bool is_long =
+        form.solved_by == solution::cheapest && is_too_long_for_elimination(s_, form.weights);
+    if (!is_given && !is_long) return false;
+    const sequence<expression>& f = force();
+    symbolic::symmetric_solution solved = articulated_bodies(s_).solve(f);
+    if (is_given || costs_less_than_elimination(s_, solved, f, form.weights))
+      without_mass_ = std::move(solved);
+    return !without_mass_.x.empty();
+  }
+
+  /// The pivots of the solution without M.
+  constexpr const sequence<symbolic::pivot>& pivots_without_mass() const { return without_mass_.pivots; }
+
+  /// Compares these pivots with the diagonal entries of M, which are returned.
+  constexpr sequence<expression> compare_pivots_with_diagonal() {
+    const sequence<expression> diagonal = diagonal_of_mass_matrix(s_);
+    for (symbolic::pivot& p : without_mass_.pivots) p.entry = diagonal[p.place];
+    return diagonal;
   }
 
   /// u̇ of all speeds by the elimination of M, which derivatives of u̇ need in any case.
@@ -225,6 +257,12 @@ public:
 private:
   /// u̇ of the independent speeds, in the form that the model determines, otherwise in the cheapest one.
   constexpr symbolic::symmetric_solution solved_for_accelerations() {
+    if (solves_without_mass()) {
+      has_other_form_ = true;
+      if (mass_.rows != 0)
+        for (symbolic::pivot& p : without_mass_.pivots) p.entry = mass_(p.place, p.place);
+      return without_mass_;
+    }
     const symbolic::matrix& m = mass();
     const sequence<expression>& f = force();
     if (!is_tree()) return symbolic::solve_symmetric(*m_.g, m, f);
@@ -328,6 +366,8 @@ private:
   symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};
   sequence<expression> free_force_{}, force_{}, udot_{}, udot_by_elimination_{};
   sequence<symbolic::pivot> pivots_{};
+  symbolic::symmetric_solution without_mass_{}; ///< empty if M is needed
+  bool is_solution_chosen_ = false;
 };
 
 } // namespace kanexpr::mechanics

@@ -30,9 +30,11 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
   if (acting.has_lagrangian) collect(acting.lagrangian);
   if (nodes.empty()) return false;
   const sequence<char> live = symbolic::live_nodes(*m.g, nodes);
-  for (int id = 0; id < live.size(); ++id)
-    if (live[id] != 0 &&
-        ((*m.g)[id].op == symbolic::operation::sin || (*m.g)[id].op == symbolic::operation::cos))
+  const char* const is_live = live.begin(); // pointers, because compilers interpret every call
+  const symbolic::node* const all = m.g->begin();
+  for (int id = 0, end = live.size(); id < end; ++id)
+    if (is_live[id] != 0 &&
+        (all[id].op == symbolic::operation::sin || all[id].op == symbolic::operation::cos))
       return true;
   return false;
 }

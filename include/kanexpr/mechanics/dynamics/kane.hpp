@@ -14,6 +14,15 @@ namespace kanexpr::mechanics {
 /// M; symmetric.
 constexpr symbolic::matrix mass_matrix(const skeleton& s) { return mass_matrix_builder(s).run(); }
 
+/// The diagonal of M of a system without flexible bodies, one entry for each speed.
+constexpr sequence<expression> diagonal_of_mass_matrix(const skeleton& s) {
+  mass_matrix_builder builder(s, mass_matrix_builder::extent::diagonal);
+  const symbolic::matrix& formed = builder.run();
+  sequence<expression> diagonal;
+  for (int i = 0; i < s.model->speeds.size(); ++i) diagonal.push(formed(i, i));
+  return diagonal;
+}
+
 /// F_r: the generalized active forces.
 constexpr sequence<expression> active_forces(const skeleton& s, const loads& acting) {
   generalized_forces f(s);

@@ -14,6 +14,8 @@
 
 /// Inverse dynamics as a linear function of the inertial parameters of the bodies. Each parameter is treated
 /// separately; the result does not depend on the masses and inertias that the model specifies.
+#include <utility>
+
 namespace kanexpr::mechanics {
 
 /// The point of a body about which its inertial parameters are given: the last point fixed in the body on the
@@ -82,7 +84,7 @@ constexpr symbolic::matrix regressor_of_all(const skeleton& s, motion& k) {
   for (const expression& u : m.speeds) {
     symbolic::differentiation d(*m.g);
     d.set_rate(u, m.one());
-    by_speed.push(d);
+    by_speed.push(std::move(d));
   }
   const auto partial = [&](int speed, const components& v) -> components {
     symbolic::differentiation& d = by_speed[speed];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/dynamics/inward_steps.hpp>
 #include <kanexpr/mechanics/model/formulation.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
@@ -33,22 +34,106 @@ constexpr symbolic::cost cost_of(const symbolic::symmetric_solution& solved) {
   return symbolic::cost_of(all[0].owner(), symbolic::nodes_of(all));
 }
 
+namespace detail {
+
+constexpr bool is_planar(const skeleton& s) {
+  for (int axes : s.working_axes)
+    if (axes != mechanism::inertial) return false;
+  return true;
+}
+
+struct threshold {
+  int speeds, operations; ///< the operations are those for each speed
+};
+
+constexpr long long weighted(const threshold& t, int speeds, const operation_weights& by) {
+  const long long mean = (1LL * by.multiplication + by.addition + 1) / 2;
+  return mean * t.operations * speeds;
+}
+
+} // namespace detail
+
 /// Whether a solution by articulated bodies may cost less, judged by a lower bound for each speed. Forming a
 /// solution that is not used costs compile time.
 constexpr bool may_pay_by_articulated_bodies(const skeleton& s, const symbolic::matrix& mass,
                                              const sequence<expression>& force, const operation_weights& by) {
-  struct threshold {
-    int speeds, operations;
-  };
-  constexpr threshold in_plane{7, 50}, in_space{10, 150}; // measured on chains and trees
-  bool is_planar = true;
-  for (int axes : s.working_axes) is_planar = is_planar && axes == mechanism::inertial;
-  const threshold fewest = is_planar ? in_plane : in_space;
+  constexpr detail::threshold in_plane{7, 50}, in_space{10, 150}; // measured on chains and trees
+  const detail::threshold fewest = detail::is_planar(s) ? in_plane : in_space;
   if (mass.rows < fewest.speeds) return false;
   const symbolic::cost formed = symbolic::cost_of(*s.model->g, symbolic::nodes_of(force));
-  const long long mean = (1LL * by.multiplication + by.addition + 1) / 2;
   return cost_by_elimination(mass, force).weighted(by) - formed.weighted(by) >
-         mean * fewest.operations * mass.rows;
+         detail::weighted(fewest, mass.rows, by);
+}
+
+/// Estimates the elimination of M from the tree of joints, before M is formed. Each speed is assumed to be
+/// coupled to all speeds inward. As translations may be coupled to few of them, a quarter is assumed if there
+/// are any. The estimate is zero if a speed enters at several joints.
+class elimination_estimate {
+public:
+  constexpr explicit elimination_estimate(const skeleton& s)
+      : s_(s), motions_(s.model->ways(), 0), of_frames_(s.model->frames.size(), none) {
+    of_frames_[mechanism::inertial] = 0;
+    for (int f = 1; f < of_frames_.size(); ++f)
+      if (s_.rigid_with[f] == f) count(s_.partial_angular_velocities[f]);
+    for (const sequence<partial_velocity>& partials : s_.partial_velocities) {
+      count(partials);
+      if (!partials.empty()) translates_ = true;
+    }
+    for (int n = 0; n < s_.stations.size(); ++n) {
+      const int parent = s_.stations[n].parent;
+      const int inward = parent == none || s_.stations[n].absolute ? 0 : of_stations_[parent];
+      of_stations_.push(inward + s_.partial_velocities[n].size());
+    }
+    for (const inward_step& each : inward_steps(s_)) add(each);
+  }
+
+  constexpr long long weighted(const operation_weights& by) const {
+    if (!enters_once_) return 0;
+    return total_.weighted(by) / (translates_ ? 4 : 1);
+  }
+
+private:
+  constexpr void count(const sequence<partial_velocity>& partials) {
+    for (const partial_velocity& v : partials) enters_once_ = enters_once_ && motions_[v.speed]++ == 0;
+  }
+
+  /// The number of speeds that rotate a frame.
+  constexpr int speeds_of(int frame) {
+    int& known = of_frames_[frame];
+    if (known == none) known = s_.partial_angular_velocities[frame].size() + speeds_of(s_.turns_in[frame]);
+    return known;
+  }
+
+  constexpr void add(const inward_step& now) {
+    const int n = now.station, own = now.is_rotation() ? s_.partial_angular_velocities[now.frame].size()
+                                                       : s_.partial_velocities[n].size();
+    if (own == 0) return;
+    const int inward = speeds_of(now.below) + of_stations_[n] - (now.is_rotation() ? 0 : own);
+    for (int i = 0; i < own; ++i) symbolic::count_elimination(total_, inward + i);
+  }
+
+  const skeleton& s_;
+  sequence<int> motions_;   ///< by speed: the number of joints at which it enters
+  sequence<int> of_frames_; ///< by frame: the number of speeds that rotate it
+  sequence<int> of_stations_{};
+  bool enters_once_ = true, translates_ = false;
+  symbolic::cost total_{};
+};
+
+/// Whether a solution by articulated bodies is likely to cost less than the elimination of M alone.
+constexpr bool is_too_long_for_elimination(const skeleton& s, const operation_weights& by) {
+  constexpr detail::threshold in_plane{12, 80}, in_space{16, 290}; // measured on chains with symbols only
+  const detail::threshold fewest = detail::is_planar(s) ? in_plane : in_space;
+  const int speeds = s.model->speeds_of_motion();
+  return speeds >= fewest.speeds &&
+         elimination_estimate(s).weighted(by) > detail::weighted(fewest, speeds, by);
+}
+
+/// Whether a solution costs less than the elimination of M alone, with forces that both need.
+constexpr bool costs_less_than_elimination(const skeleton& s, const symbolic::symmetric_solution& solved,
+                                           const sequence<expression>& force, const operation_weights& by) {
+  const symbolic::cost formed = symbolic::cost_of(*s.model->g, symbolic::nodes_of(force));
+  return cost_of(solved).weighted(by) < formed.weighted(by) + elimination_estimate(s).weighted(by);
 }
 
 } // namespace kanexpr::mechanics

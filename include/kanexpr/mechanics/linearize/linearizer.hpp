@@ -173,8 +173,11 @@ private:
       for_each_gradient(of, {}, {}, {}, [&](int i, int j, expression slope) { out(i, j) = slope; });
       return out;
     }
+    if (of.empty()) return out;
+    const symbolic::dependence found = variations_.dependence_of(of);
     for (int j = 0; j < variations_.size(); ++j) {
       symbolic::differentiation d = variations_.along(j);
+      d.skip_unchanged(found, j);
       for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
     }
     return out;
@@ -354,8 +357,10 @@ private:
   constexpr symbolic::matrix changes_by_forward(const sequence<expression>& force) {
     const symbolic::matrix bias = acceleration_bias();
     symbolic::matrix out(g_, force.size(), variations_.size());
+    const symbolic::dependence found = variations_.dependence_of(force);
     for (int j = 0; j < out.columns; ++j) {
       symbolic::differentiation d = along_without_sums(j);
+      d.skip_unchanged(found, j);
       for (int i = 0; i < out.rows; ++i) {
         out(i, j) = d.of(force[i]);
         for (int k = 0; k < bias.rows; ++k) out(i, j) -= form_.known.coupling(k, i) * bias(k, j);

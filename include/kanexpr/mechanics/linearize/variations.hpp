@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/linearize/general_form.hpp>
+#include <kanexpr/symbolic/derivatives/dependence.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -58,6 +59,20 @@ public:
     for (int i = 0; i < coordinates_.rows; ++i) d.set_rate(form_.q[of_q_.dependent[i]], coordinates_(i, j));
     for (int i = 0; i < speeds_.rows; ++i) d.set_rate(form_.u[of_u_.dependent[i]], speeds_(i, j));
     return d;
+  }
+
+  /// Finds the directions along which nodes change.
+  constexpr symbolic::dependence dependence_of(const sequence<expression>& of) const {
+    symbolic::dependence found(g_, symbolic::nodes_of(of), size());
+    for (int j = 0; j < size(); ++j) {
+      found.mark(symbol(j).node(), j);
+      for (int i = 0; i < coordinates_.rows; ++i)
+        if (!coordinates_(i, j).is_zero()) found.mark(form_.q[of_q_.dependent[i]].node(), j);
+      for (int i = 0; i < speeds_.rows; ++i)
+        if (!speeds_(i, j).is_zero()) found.mark(form_.u[of_u_.dependent[i]].node(), j);
+    }
+    found.spread();
+    return found;
   }
 
   /// The derivative along direction `j`, from the derivatives with respect to all symbols, `by(symbol)`.

@@ -76,15 +76,18 @@ public:
   }
 
   static constexpr int depth(const mechanism& m, int f) {
+    const frame* const frames = m.frames.begin(); // a pointer, because compilers interpret every call
     int n = 0;
-    for (; f != mechanism::inertial; f = m.frames[f].parent) ++n;
+    for (; f != mechanism::inertial; f = frames[f].parent) ++n;
     return n;
   }
   static constexpr int common_ancestor(const mechanism& m, int a, int b) {
+    if (a == mechanism::inertial || b == mechanism::inertial) return mechanism::inertial;
+    const frame* const frames = m.frames.begin();
     int i = depth(m, a), j = depth(m, b);
-    for (; i > j; --i) a = m.frames[a].parent;
-    for (; j > i; --j) b = m.frames[b].parent;
-    while (a != b) a = m.frames[a].parent, b = m.frames[b].parent;
+    for (; i > j; --i) a = frames[a].parent;
+    for (; j > i; --j) b = frames[b].parent;
+    while (a != b) a = frames[a].parent, b = frames[b].parent;
     return a;
   }
 
@@ -99,8 +102,10 @@ private:
   constexpr void push_turns(const mechanism& m, int end, int meeting, bool is_upward) {
     const sequence<int> way = way_down(m, end, meeting);
     const int first = rotations_.size();
+    const frame* const frames = m.frames.begin();
+    const int* const places = way.begin();
     for (int i = way.size() - 1; i >= 0; --i) {
-      const frame& f = m.frames[way[i]];
+      const frame& f = frames[places[i]];
       if (f.kind == orientation::about_basis)
         push_turn(f.axis, is_upward ? f.angle : -f.angle, first);
       else if (!f.to_parent.is_identity())
@@ -110,14 +115,19 @@ private:
   /// The frames from `f` to the child of `meeting`, in ascending order.
   static constexpr sequence<int> way_down(const mechanism& m, int f, int meeting) {
     sequence<int> way;
-    for (; f != meeting; f = m.frames[f].parent) way.push(f);
+    const frame* const frames = m.frames.begin();
+    for (; f != meeting; f = frames[f].parent) way.push(f);
     return way;
   }
   constexpr void push_turn(int axis, expression angle, int first_to_merge) {
-    if (rotations_.size() > first_to_merge && rotations_.back().about_basis && rotations_.back().axis == axis)
-      rotations_.back().angle += angle;
-    else
-      rotations_.push({true, axis, angle, matrix3{}});
+    if (rotations_.size() > first_to_merge) {
+      elementary_rotation& last = rotations_.back();
+      if (last.about_basis && last.axis == axis) {
+        last.angle += angle;
+        return;
+      }
+    }
+    rotations_.push({true, axis, angle, matrix3{}});
   }
 
   sequence<elementary_rotation> rotations_{};

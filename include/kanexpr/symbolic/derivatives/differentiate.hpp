@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
+#include <kanexpr/symbolic/derivatives/dependence.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
@@ -24,18 +26,19 @@ struct rotated_component {
 };
 
 constexpr rotated_component rotated_component_at(const graph& g, const node& n) {
-  const auto is_trigonometric = [&](int id) {
-    return g[id].op == operation::sin || g[id].op == operation::cos;
-  };
   rotated_component found;
   if (n.op != operation::add && n.op != operation::subtract) return found;
-  const node &first = g[n.a], &second = g[n.b];
+  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call
+  const node &first = nodes[n.a], &second = nodes[n.b];
   if (first.op != operation::multiply || second.op != operation::multiply) return found;
   for (int i = 0; i < 4; ++i) {
     const bool exchange_first = i % 2 != 0, exchange_second = i / 2 != 0;
     const int t = exchange_first ? first.b : first.a, w = exchange_second ? second.b : second.a;
-    if (!is_trigonometric(t) || !is_trigonometric(w) || g[t].op == g[w].op || g[t].a != g[w].a) continue;
-    found.angle = g[t].a;
+    const node &one = nodes[t], &other = nodes[w];
+    if (one.a != other.a || one.op == other.op) continue;
+    if (one.op != operation::sin && one.op != operation::cos) continue;
+    if (other.op != operation::sin && other.op != operation::cos) continue;
+    found.angle = one.a;
     found.trigonometric[0] = t, found.trigonometric[1] = w;
     found.value[0] = exchange_first ? first.a : first.b;
     found.value[1] = exchange_second ? second.a : second.b;
@@ -99,53 +102,81 @@ constexpr partials local_partials(graph& g, int id) {
 class differentiation {
 public:
   constexpr differentiation() = default;
-  differentiation(const differentiation&) = default;
+  differentiation(const differentiation&) = delete;
   differentiation(differentiation&&) = default;
-  differentiation& operator=(const differentiation&) = default;
+  differentiation& operator=(const differentiation&) = delete;
   differentiation& operator=(differentiation&&) = default;
   constexpr explicit differentiation(graph& g) : graph_(&g) {}
 
   /// Sets the rate of a symbol; the default is zero. Must be called before the first `of`.
   constexpr void set_rate(expression symbol, expression rate) { remember(symbol.node(), rate.node()); }
 
+  /// Skips the nodes that do not change along a direction; all symbols that have a rate must be marked. The
+  /// marks must outlive the derivatives.
+  constexpr void skip_unchanged(const dependence& found, int direction) {
+    marks_ = found.begin() + direction / 64;
+    stride_ = found.words();
+    marked_ = found.size();
+    mark_ = dependence::word{1} << (direction % 64);
+  }
+
   constexpr expression of(expression e) { return {*graph_, of(e.node())}; }
 
   /// Clears all rates so that new ones can be set.
   constexpr void restart() {
+    if (__builtin_is_constant_evaluated()) {
+      rates_ = {};
+      rate_of_ = nullptr;
+      room_ = 0;
+    }
     for (int id : known_) rates_[id] = unknown;
     known_.clear();
+    marked_ = 0;
   }
 
 private:
-  static constexpr int unknown = -1;
+  static constexpr int unknown = 0; ///< rates are stored as one more than their node
 
   constexpr void remember(int id, int rate) {
-    if (rates_.size() <= id) rates_.resize(graph_->size() + 64, unknown);
-    rates_[id] = rate;
-    known_.push(id);
+    if (room_ <= id) make_room();
+    rate_of_[id] = rate + 1;
+    if (!__builtin_is_constant_evaluated()) known_.push(id);
+  }
+
+  constexpr void make_room() {
+    rates_.grow(__builtin_is_constant_evaluated() ? base::zeros<int>::room : 2 * graph_->size());
+    rate_of_ = rates_.begin();
+    room_ = rates_.size();
   }
 
   constexpr int of(int id) {
-    if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
-    const node n = (*graph_)[id];
+    if (id < room_ && rate_of_[id] != unknown) return rate_of_[id] - 1;
+    if (id < marked_ && (marks_[id * stride_] & mark_) == 0) return graph::zero;
+    graph& g = *graph_;
+    const node n = g.begin()[id];
+    if (n.op <= operation::symbol) return graph::zero; // a leaf
     int rate = graph::zero;
-    if (const rotated_component x = rotated_component_at(*graph_, n); x && of(x.angle) != graph::zero) {
-      graph& g = *graph_;
-      const int first = multiply(g, x.trigonometric[0], of(x.value[0]));
-      const int second = multiply(g, x.trigonometric[1], of(x.value[1]));
-      const rotated_derivative slope = derivative_by_angle(g, x);
-      const int by_angle = multiply(g, slope.value, of(x.angle));
-      rate = x.adds ? add(g, first, second) : subtract(g, first, second);
-      rate = slope.is_negative ? subtract(g, rate, by_angle) : add(g, rate, by_angle);
+    if (n.op == operation::add || n.op == operation::subtract) {
+      if (const rotated_component x = rotated_component_at(g, n); x && of(x.angle) != graph::zero) {
+        rate = of_rotated(x);
+      } else {
+        const int a = of(n.a), b = of(n.b);
+        rate = n.op == operation::add ? add(g, a, b) : subtract(g, a, b);
+      }
+    } else if (n.op == operation::multiply) {
+      const int a = of(n.a), b = of(n.b);
+      int through_a = graph::zero, through_b = graph::zero;
+      if (a != graph::zero) through_a = multiply(g, n.b, a);
+      if (b != graph::zero) through_b = multiply(g, n.a, b);
+      rate = add(g, through_a, through_b);
     } else if (n.op == operation::component) {
-      rate = component(*graph_, of_solution(n.a), integer_at(*graph_, n.b));
+      rate = component(g, of_solution(n.a), integer_at(g, n.b));
     } else if (n.op == operation::call) {
       rate = of_call(id);
     } else if (is_selection(n.op)) {
       const int through_b = of(n.b);
-      rate = selected(*graph_, n.op, n.a, through_b);
-    } else if (!is_leaf(n.op) && n.op != operation::singularity_measure) {
-      graph& g = *graph_;
+      rate = selected(g, n.op, n.a, through_b);
+    } else if (n.op != operation::singularity_measure) {
       const int a = of(n.a), b = is_binary(n.op) ? of(n.b) : graph::zero;
       if (n.op == operation::divide) {
         rate = divide(g, subtract(g, a, multiply(g, id, b)), n.b);
@@ -157,6 +188,16 @@ private:
     }
     remember(id, rate);
     return rate;
+  }
+
+  constexpr int of_rotated(const rotated_component& x) {
+    graph& g = *graph_;
+    const int first = multiply(g, x.trigonometric[0], of(x.value[0]));
+    const int second = multiply(g, x.trigonometric[1], of(x.value[1]));
+    const rotated_derivative slope = derivative_by_angle(g, x);
+    const int by_angle = multiply(g, slope.value, of(x.angle));
+    const int rate = x.adds ? add(g, first, second) : subtract(g, first, second);
+    return slope.is_negative ? subtract(g, rate, by_angle) : add(g, rate, by_angle);
   }
 
   constexpr int of_call(int id) {
@@ -175,7 +216,7 @@ private:
 
   /// Solves A ẋ = ḃ - Ȧ x, reusing the factorization of A.
   constexpr int of_solution(int id) {
-    if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
+    if (id < room_ && rate_of_[id] != unknown) return rate_of_[id] - 1;
     const node n = (*graph_)[id];
     const bool is_transposed = n.op == operation::transposed_solve;
     const int order = order_of(*graph_, n.a);
@@ -194,8 +235,13 @@ private:
   }
 
   graph* graph_ = nullptr;
-  sequence<int> rates_{}; ///< by node
-  sequence<int> known_{}; ///< nodes with a rate
+  base::zeros<int> rates_{}; ///< by node
+  int* rate_of_ = nullptr;   ///< the same, because compilers interpret every call
+  int room_ = 0;
+  sequence<int> known_{}; ///< nodes with a rate; empty in constant evaluation
+  const dependence::word* marks_ = nullptr;
+  int stride_ = 0, marked_ = 0;
+  dependence::word mark_ = 0;
 };
 
 /// The partial derivative of an expression with respect to a symbol.

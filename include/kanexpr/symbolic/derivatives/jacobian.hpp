@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/derivatives/dependence.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -13,11 +14,16 @@ namespace kanexpr::symbolic {
 /// differentiation.
 constexpr matrix forward_jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
   matrix all(g, of.size(), by.size());
-  differentiation along(g);
-  for (int j = 0; j < all.columns && all.rows > 0; ++j) {
+  if (all.entries.empty()) return all;
+  dependence found(g, nodes_of(of), by.size());
+  for (int j = 0; j < all.columns; ++j) found.mark(by[j].node(), j);
+  found.spread();
+  for (int j = 0; j < all.columns; ++j) {
+    differentiation along(g);
     along.set_rate(by[j], {g, graph::one});
-    for (int i = 0; i < all.rows; ++i) all(i, j) = along.of(of[i]);
-    along.restart();
+    along.skip_unchanged(found, j);
+    for (int i = 0; i < all.rows; ++i)
+      if (found.changes(of[i].node(), j)) all(i, j) = along.of(of[i]);
   }
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -23,21 +24,24 @@ public:
   /// Held expressions count as constants.
   constexpr jacobian_modes(const graph& g, const sequence<int>& outputs, const sequence<expression>& symbols,
                            const sequence<expression>& held)
-      : g_(g), symbols_(symbols.size()), words_((symbols.size() + 63) / 64), live_(live_nodes(g, outputs)),
-        depends_(live_.size() * words_, 0), active_(live_.size(), 0), users_(live_.size(), 0),
-        reverse_(live_.size(), 0), forward_(symbols.size(), 0), is_forward_(symbols.size(), 0) {
+      : nodes_(g.begin()), size_(g.size()), symbols_(symbols.size()), words_((symbols.size() + 63) / 64),
+        of_live_(live_nodes(g, outputs)), of_depends_(size_ * words_), of_active_(size_), of_users_(size_),
+        of_reverse_(size_), of_held_(size_), forward_(symbols.size(), 0), is_forward_(symbols.size(), 0),
+        live_(of_live_.begin()), active_(of_active_.begin()), is_held_(of_held_.begin()),
+        depends_(of_depends_.begin()), users_(of_users_.begin()), reverse_(of_reverse_.begin()) {
     for (int j = 0; j < symbols_; ++j)
-      if (const int id = symbols[j].node(); id < live_.size())
+      if (const int id = symbols[j].node(); id < size_)
         depends_[id * words_ + j / 64] = bit_of(j), active_[id] = 1;
-    sequence<char> is_held(live_.size(), 0);
     for (const expression& e : held)
-      if (e.node() < live_.size()) is_held[e.node()] = 1;
-    for (int id = 0; id < live_.size(); ++id)
-      if (live_[id] != 0 && !is_leaf(g[id].op) && is_held[id] == 0) visit_operands(id);
-    count_forward(is_held);
-    count_reverse(outputs, is_held);
+      if (e.node() < size_) is_held_[e.node()] = 1;
+    for (int id = 0; id < size_; ++id)
+      if (live_[id] != 0 && nodes_[id].op > operation::symbol && is_held_[id] == 0) visit_operands(id);
+    count_forward(g);
+    count_reverse(g, outputs);
     choose();
   }
+  jacobian_modes(const jacobian_modes&) = delete;
+  jacobian_modes& operator=(const jacobian_modes&) = delete;
 
   /// Whether forward differentiation is cheaper with respect to symbol `j`.
   constexpr bool is_forward(int j) const { return is_forward_[j] != 0; }
@@ -53,22 +57,22 @@ private:
   static constexpr word bit_of(int j) { return word{1} << (j % 64); }
 
   constexpr void visit_operands(int id) {
-    const node& n = g_[id];
+    const node& n = nodes_[id];
     const bool is_of_two = is_binary(n.op);
     ++users_[n.a];
     if (is_of_two) ++users_[n.b];
     if (active_[n.a] == 0 && (!is_of_two || active_[n.b] == 0)) return;
     active_[id] = 1;
     const int own = id * words_, first = n.a * words_, second = n.b * words_;
-    word* const all = depends_.begin() + own;
-    const word *const a = depends_.begin() + first, *const b = depends_.begin() + second;
+    word* const all = depends_ + own;
+    const word *const a = depends_ + first, *const b = depends_ + second;
     for (int w = 0; w < words_; ++w) all[w] = is_of_two ? a[w] | b[w] : a[w];
   }
 
   /// Counts operations for each symbol on which `a` depends or, if b is given, on which both depend.
   constexpr void charge(int a, int b = -1) {
     if (active_[a] == 0 || (b >= 0 && active_[b] == 0)) return;
-    const word* const of = depends_.begin();
+    const word* const of = depends_;
     int* const charged = forward_.begin();
     for (int w = 0; w < words_; ++w) {
       word left = of[a * words_ + w];
@@ -78,18 +82,19 @@ private:
   }
   /// Counts a product with the rate of an operand; the rate of a symbol is 1.
   constexpr void charge_product(int operand) {
-    if (g_[operand].op != operation::symbol) charge(operand);
+    if (nodes_[operand].op != operation::symbol) charge(operand);
   }
 
-  constexpr void count_forward(const sequence<char>& is_held) {
-    sequence<char> is_within(live_.size(), 0); // a product that belongs to one rotated component only
-    for (int id = live_.size() - 1; id >= 0; --id) {
-      if (live_[id] == 0 || is_leaf(g_[id].op) || is_held[id] != 0 || is_within[id] != 0 || active_[id] == 0)
-        continue;
-      const node& n = g_[id];
-      if (const rotated_component x = rotated_component_at(g_, n)) {
-        for (int product : {n.a, n.b})
-          if (users_[product] == 1) is_within[product] = 1;
+  constexpr void count_forward(const graph& g) {
+    base::zeros<char> of_within(size_); // a product that belongs to one rotated component only
+    char* const is_within = of_within.begin();
+    for (int id = size_ - 1; id >= 0; --id) {
+      if (active_[id] == 0 || live_[id] == 0 || is_held_[id] != 0 || is_within[id] != 0) continue;
+      const node& n = nodes_[id];
+      if (n.op <= operation::symbol) continue; // a leaf
+      if (const rotated_component x = rotated_component_at(g, n)) {
+        if (users_[n.a] == 1) is_within[n.a] = 1;
+        if (users_[n.b] == 1) is_within[n.b] = 1;
         charge_product(x.value[0]), charge_product(x.value[1]), charge_product(x.angle);
         charge(x.value[0], x.value[1]), charge(x.value[0], x.angle);
         continue;
@@ -103,10 +108,12 @@ private:
     for (int each : forward_) all_forward_ += each;
   }
 
-  constexpr void count_reverse(const sequence<int>& outputs, const sequence<char>& is_held) {
+  constexpr void count_reverse(const graph& g, const sequence<int>& outputs) {
     const int words = (outputs.size() + 63) / 64;
-    sequence<word> reached(live_.size() * words, 0); // the outputs that depend on each node
-    sequence<char> is_unit(live_.size(), 0);         // whether the adjoint is 1 or −1
+    base::zeros<word> of_reached(size_ * words);
+    base::zeros<char> of_unit(size_);
+    word* const reached = of_reached.begin(); // the outputs that depend on each node
+    char* const is_unit = of_unit.begin();    // whether the adjoint is 1 or −1
     for (int i = 0; i < outputs.size(); ++i) {
       reached[outputs[i] * words + i / 64] |= bit_of(i);
       is_unit[outputs[i]] = 1;
@@ -119,14 +126,14 @@ private:
       if (is_product && is_unit[from] == 0) reverse_[to] += count;
       if (!is_product && is_unit[from] != 0 && users_[to] == 1) is_unit[to] = 1;
     };
-    for (int id = live_.size() - 1; id >= 0; --id) {
-      if (live_[id] == 0 || active_[id] == 0) continue;
+    for (int id = size_ - 1; id >= 0; --id) {
+      if (active_[id] == 0 || live_[id] == 0) continue;
       int count = 0;
       for (int w = 0; w < words; ++w) count += std::popcount(reached[id * words + w]);
       reverse_[id] -= count; // the first of several parts of an adjoint is not added to anything
-      const node& n = g_[id];
-      if (is_leaf(n.op) || is_held[id] != 0 || count == 0) continue;
-      if (const rotated_component x = rotated_component_at(g_, n);
+      const node& n = nodes_[id];
+      if (n.op <= operation::symbol || is_held_[id] != 0 || count == 0) continue;
+      if (const rotated_component x = rotated_component_at(g, n);
           x && users_[n.a] == 1 && users_[n.b] == 1) {
         for (int operand : {x.value[0], x.value[1], x.angle}) pass(id, operand, count, true);
         continue;
@@ -147,9 +154,9 @@ private:
       changes = false;
       int total = 0;
       sequence<int> own(symbols_, 0);
-      const word *const of = depends_.begin(), *const still = remaining.begin();
-      const char* const active = active_.begin();
-      for (int id = 0, end = live_.size(); id < end; ++id) {
+      const word *const of = depends_, *const still = remaining.begin();
+      const char* const active = active_;
+      for (int id = 0, end = size_; id < end; ++id) {
         if (active[id] == 0) continue;
         int bits = 0; // of the remaining symbols: none, one or several
         int only = 0;
@@ -175,15 +182,22 @@ private:
     }
   }
 
-  const graph& g_;
-  int symbols_, words_;
-  sequence<char> live_;
-  sequence<word> depends_;    ///< the symbols on which each node depends, as bits
-  sequence<char> active_;     ///< whether a node depends on any symbol
-  sequence<int> users_;       ///< the number of users of each node
-  sequence<int> reverse_;     ///< the operations for the adjoint of each node
+  const node* nodes_;
+  int size_, symbols_, words_;
+  sequence<char> of_live_;
+  base::zeros<word> of_depends_;
+  base::zeros<char> of_active_;
+  base::zeros<int> of_users_, of_reverse_;
+  base::zeros<char> of_held_;
   sequence<int> forward_;     ///< the operations for each symbol
   sequence<char> is_forward_; ///< by symbol
+  // for each node, as pointers, because compilers interpret every call
+  const char* live_;
+  char* active_;  ///< whether it depends on any symbol
+  char* is_held_; ///< whether it counts as a constant
+  word* depends_; ///< the symbols on which it depends, as bits
+  int* users_;    ///< the number of its users
+  int* reverse_;  ///< the operations for its adjoint
   int all_forward_ = 0, mixed_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -18,9 +19,30 @@ namespace detail {
 /// Hashes that distinguish expressions independently of their node numbers.
 class structural_hashes {
 public:
-  constexpr explicit structural_hashes(const graph& g) : mark_(g.size(), 0) {
-    for (int id = 0; id < g.size(); ++id) mark_[id] = of(g, g[id], id);
+  /// Of the nodes that the outputs need.
+  constexpr structural_hashes(const graph& g, const sequence<int>& outputs) : marks_(g.size()) {
+    base::zeros<char> is_needed(g.size());
+    char* const needed = is_needed.begin(); // pointers, because compilers interpret every call
+    const node* const nodes = g.begin();
+    mark_ = marks_.begin();
+    int last = -1;
+    for (int id : outputs) {
+      needed[id] = 1;
+      if (id > last) last = id;
+    }
+    for (int id = last; id >= 0; --id) {
+      if (needed[id] == 0) continue;
+      const node& n = nodes[id];
+      if (n.op <= operation::symbol) continue; // a leaf
+      needed[n.a] = 1;
+      if (is_binary(n.op)) needed[n.b] = 1;
+    }
+    for (int id = 0; id <= last; ++id)
+      if (needed[id] != 0) mark_[id] = of(g, nodes[id], id);
   }
+  structural_hashes(const structural_hashes&) = delete;
+  structural_hashes& operator=(const structural_hashes&) = delete;
+
   constexpr std::uint64_t operator[](int id) const { return mark_[id]; }
 
 private:
@@ -66,20 +88,23 @@ private:
     return z ^ (z >> 31);
   }
 
-  sequence<std::uint64_t> mark_;
+  base::zeros<std::uint64_t> marks_;
+  std::uint64_t* mark_ = nullptr; ///< the same
 };
 
 } // namespace detail
 
 /// Returns the nodes that the outputs depend on, each before its operands.
 constexpr sequence<int> reverse_topological_order(const graph& g, const sequence<int>& outputs) {
-  const detail::structural_hashes mark(g);
-  sequence<char> state(g.size(), 0); // 1: operands are listed first; 2: listed
+  const detail::structural_hashes mark(g, outputs);
+  base::zeros<char> states(g.size());
+  char* const state = states.begin(); // 1: operands are listed first; 2: listed
+  const node* const nodes = g.begin();
   sequence<int> open, operands_first;
   for (int i = outputs.size() - 1; i >= 0; --i) open.push(outputs[i]);
   while (!open.empty()) {
     const int id = open.back();
-    const node& n = g[id];
+    const node& n = nodes[id];
     if (state[id] != 0 || is_leaf(n.op)) {
       open.pop();
       if (state[id] == 2) continue;

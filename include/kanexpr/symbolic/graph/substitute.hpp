@@ -1,9 +1,11 @@
 #pragma once
 
-#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <limits>
 
 namespace kanexpr::symbolic {
 
@@ -21,41 +23,65 @@ public:
   substitution& operator=(const substitution&) = delete;
 
   /// Registers a replacement; must be called before the first call of `in`.
-  constexpr void replace(expression old, expression by) { remember(old.node(), by.node()); }
+  constexpr void replace(expression old, expression by) {
+    make_room();
+    const int id = old.node();
+    image_[id] = by.node() + 1;
+    change_[id] = 1;
+    if (id < visited_) visited_ = id;
+  }
 
-  constexpr expression in(expression e) { return {graph_, in(e.node())}; }
+  constexpr expression in(expression e) {
+    visit_until(e.node());
+    return {graph_, in(e.node())};
+  }
 
 private:
-  static constexpr int unknown = -1;
+  static constexpr int unknown = 0; ///< images are stored as one more than their node
 
-  constexpr void remember(int id, int by) {
-    if (known_ <= id) make_room();
-    image_[id] = by;
-  }
   constexpr void make_room() {
-    known_ = graph_.size() + 64;
-    images_.resize(known_, unknown);
+    if (images_.size() >= graph_.size()) return;
+    images_.grow(__builtin_is_constant_evaluated() ? base::zeros<int>::room : 2 * graph_.size());
+    changes_.grow(images_.size());
     image_ = images_.begin();
+    change_ = changes_.begin();
+  }
+
+  /// Finds the nodes that depend on replaced ones, so that only these are visited.
+  constexpr void visit_until(int last) {
+    make_room();
+    const node* const nodes = graph_.begin(); // pointers, because compilers interpret every call
+    char* const changes = change_;
+    for (; visited_ <= last; ++visited_) {
+      const node& n = nodes[visited_];
+      if (n.op <= operation::symbol) continue; // a leaf
+      if (changes[n.a] != 0)
+        changes[visited_] = 1;
+      else if (n.op > operation::negate && (n.op <= operation::power || is_binary(n.op)) &&
+               changes[n.b] != 0)
+        changes[visited_] = 1;
+    }
   }
 
   constexpr int in(int id) {
-    if (id < known_ && image_[id] != unknown) return image_[id];
-    const node n = graph_[id];
-    int image = id;
-    if (n.op > operation::symbol) { // compilers interpret every call
-      const int a = n.a < known_ && image_[n.a] != unknown ? image_[n.a] : in(n.a);
-      int b = 0;
-      if (is_binary(n.op)) b = n.b < known_ && image_[n.b] != unknown ? image_[n.b] : in(n.b);
-      if (a != n.a || b != n.b) image = build(graph_, n.op, a, b);
-    }
-    if (known_ <= id) make_room();
-    return image_[id] = image;
+    if (change_[id] == 0) return id;
+    if (image_[id] != unknown) return image_[id] - 1;
+    const node n = graph_.begin()[id];
+    const int a = change_[n.a] != 0 ? in(n.a) : n.a;
+    int b = 0;
+    if (is_binary(n.op)) b = change_[n.b] != 0 ? in(n.b) : n.b;
+    const int image = a != n.a || b != n.b ? build(graph_, n.op, a, b) : id;
+    make_room();
+    image_[id] = image + 1;
+    return image;
   }
 
   graph& graph_;
-  sequence<int> images_{};
-  int* image_ = nullptr; ///< by node
-  int known_ = 0;        ///< number of nodes whose entries are valid or `unknown`
+  base::zeros<int> images_{};
+  base::zeros<char> changes_{};
+  int* image_ = nullptr;   ///< by node
+  char* change_ = nullptr; ///< by node: whether it depends on a replaced one
+  int visited_ = std::numeric_limits<int>::max(); ///< no earlier node was replaced
 };
 
 } // namespace kanexpr::symbolic

@@ -288,8 +288,12 @@ private:
     const int row = p * n_;
     const int* const own = factors_.begin() + row;
     int direct = 0, formed = 0, remaining = 0, uses = 0, of_all = 0;
-    sequence<int> zeros(n_, 0); // the number of columns in which both right-hand sides are zero
-    sequence<char> within(n_, 0), outside(n_, 0);
+    sequence<int> both_zero(n_, 0); // the number of columns in which both right-hand sides are zero
+    sequence<char> is_within(n_, 0), is_outside(n_, 0);
+    int* const zeros = both_zero.begin(); // pointers, because compilers interpret every call
+    char *const within = is_within.begin(), *const outside = is_outside.begin();
+    const int* const responses = responses_.begin();
+    const char* const replaced = is_within_.begin();
     for (int j = 0; j < weights.size(); ++j) {
       const int column = j * n_;
       const char* const of = filled.begin() + column;
@@ -305,11 +309,12 @@ private:
     }
     for (int k : order_) // an unknown on which another one of these depends is not replaced
       for (int i = 0; i < n_ && within[k] != 0; ++i)
-        if (responses_[k * n_ + i] != graph::zero) within[i] = 0;
-    sequence<char> branch = within; // with the unknowns that these replace themselves
+        if (responses[k * n_ + i] != graph::zero) within[i] = 0;
+    sequence<char> in_branch = is_within; // with the unknowns that these replace themselves
+    char* const branch = in_branch.begin();
     for (int k = 0; k < n_; ++k)
       for (int i = 0; i < n_ && within[k] != 0; ++i)
-        if (is_within_[k * n_ + i] != 0) branch[i] = 1;
+        if (replaced[k * n_ + i] != 0) branch[i] = 1;
     for (int j = 0; j < weights.size(); ++j) {
       const int column = j * n_;
       const char* const of = filled.begin() + column;
@@ -320,7 +325,7 @@ private:
     for (int k = 0; k < n_; ++k) {
       if (own[k] != graph::zero && within[k] == 0) outside[k] = 1;
       for (int i = 0; i < n_ && within[k] != 0; ++i)
-        if (responses_[k * n_ + i] != graph::zero) outside[i] = 1, ++formed;
+        if (responses[k * n_ + i] != graph::zero) outside[i] = 1, ++formed;
     }
     for (int i = 0; i < n_; ++i) remaining += outside[i];
     if (uses * (direct - remaining) <= 2 * formed) return;
@@ -336,8 +341,11 @@ private:
   /// Whether an unknown follows from those outside of its branch.
   constexpr bool is_response(int p, const sequence<int>& right) const {
     if (is_within_.empty() || right[p] != graph::zero) return false;
-    for (int k = 0; k < n_; ++k)
-      if (is_within_[p * n_ + k] != 0 && right[k] != graph::zero) return false;
+    const int row = p * n_;
+    const char* const within = is_within_.begin() + row;
+    const int* const f = right.begin();
+    for (int k = 0, end = n_; k < end; ++k)
+      if (within[k] != 0 && f[k] != graph::zero) return false;
     return true;
   }
 
@@ -346,10 +354,13 @@ private:
   }
 
   constexpr void reduce(sequence<int>& right) const {
-    for (int p : order_)
-      for (int i = n_ - 1; i >= 0; --i)
-        if (factors_[p * n_ + i] != graph::zero)
-          right[i] = subtract(g_, right[i], multiply(g_, factors_[p * n_ + i], right[p]));
+    int* const f = right.begin();
+    for (int p : order_) {
+      const int row = p * n_;
+      const int* const by = factors_.begin() + row;
+      for (int i = n_ - 1; i >= 0 && f[p] != graph::zero; --i)
+        if (by[i] != graph::zero) f[i] = subtract(g_, f[i], multiply(g_, by[i], f[p]));
+    }
   }
 
   /// Computes an unknown from those eliminated later.
@@ -363,10 +374,12 @@ private:
     } else {
       sum = multiply(g_, right[p], inverses_[p]);
     }
-    const sequence<int>& factors = is_response(p, right) ? responses_ : factors_;
-    for (int i = 0; i < n_; ++i)
-      if (factors[p * n_ + i] != graph::zero)
-        sum = subtract(g_, sum, multiply(g_, factors[p * n_ + i], x[i]));
+    const int row = p * n_;
+    const int* const by = (is_response(p, right) ? responses_ : factors_).begin() + row;
+    const int* const known = x.begin();
+    for (int i = 0, end = n_; i < end; ++i)
+      if (by[i] != graph::zero && known[i] != graph::zero)
+        sum = subtract(g_, sum, multiply(g_, by[i], known[i]));
     return sum;
   }
 
