@@ -43,15 +43,10 @@ constexpr sentence check_room(std::string_view system, const cause_list<room>& c
                    " have more potential singularities than supported; request them in parts"});
 }
 
-/// With fewer columns of results, steps on vectors save less time than finding them costs the compiler.
-inline constexpr int fewest_columns = 24;
-
 /// The nodes of all entries of the results, followed by those of the potential singularities on which they
 /// depend.
 struct needed_nodes {
   sequence<int> nodes{};
-  sequence<int> columns{}; ///< of each node, counted over all results; -1 for the rest
-  int column_count = 0;
   sequence<mechanics::singularity_check> checks{};
 };
 
@@ -60,16 +55,12 @@ constexpr needed_nodes nodes_for(derived_system& system, std::span<const request
   for (const request& each : all) {
     const symbolic::matrix result = form(each, system.reader(), system.equations());
     for (const expression& entry : result.entries) found.nodes.push(entry.node());
-    for (int i = 0; i < result.rows; ++i)
-      for (int j = 0; j < result.columns; ++j) found.columns.push(found.column_count + j);
-    found.column_count += result.columns;
   }
   if (system.mistake()) return found;
   found.checks = system.equations().singularity_checks_of(found.nodes);
   for (const mechanics::singularity_check& g : found.checks) {
     found.nodes.push(g.measure.node());
     found.nodes.push(g.scale.node());
-    for (int i = 0; i < 2; ++i) found.columns.push(-1);
   }
   return found;
 }
@@ -105,8 +96,7 @@ constexpr extracted_code extract_code(derived_system& system, std::string_view c
     code.causes.push(g.cause);
     code.checks_finiteness = g.of_finiteness;
   }
-  lower::tape tape = lower::tape_from(system.graph(), found.nodes);
-  if (found.column_count >= fewest_columns && tape.linear_steps.empty()) tape.columns = found.columns;
+  const lower::tape tape = lower::tape_from(system.graph(), found.nodes);
   if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return extracted_code(lacking);
   code.tape = lower::fixed(tape);
   return code;

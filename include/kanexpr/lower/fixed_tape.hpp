@@ -14,7 +14,6 @@ struct tape_sizes {
   int linear_steps = 0;
   int operands = 0;
   int externals = 0;
-  int columns = 0;
   int first_angle = 0;
   int angles = 0;
 };
@@ -36,7 +35,6 @@ struct fixed_tape {
   linear_step linear_steps[at_least_one(own.linear_steps)]{};
   int operands[at_least_one(own.operands)]{};
   const symbolic::external_function* externals[at_least_one(own.externals)]{};
-  int columns[at_least_one(own.columns)]{};
 
   constexpr int first_step() const { return sizes.numbers + sizes.loads; }
   constexpr int slot_count() const { return first_step() + sizes.steps; }
@@ -72,12 +70,11 @@ struct roomy_tape {
   int first_operands[most_linear_steps]{};
   int operands[most_steps]{};
   const symbolic::external_function* externals[most_externals]{};
-  int columns[most_steps]{};
 };
 
 constexpr tape_sizes sizes_of(const tape& t) {
-  return {t.steps.size(),    t.numbers.size(),   t.loads.size(),   t.results.size(), t.linear_steps.size(),
-          t.operands.size(), t.externals.size(), t.columns.size(), t.first_angle,    t.angle_count};
+  return {t.steps.size(),    t.numbers.size(),   t.loads.size(), t.results.size(), t.linear_steps.size(),
+          t.operands.size(), t.externals.size(), t.first_angle,  t.angle_count};
 }
 
 constexpr bool has_room_for(const tape_sizes& s) {
@@ -117,7 +114,6 @@ constexpr roomy_tape fixed(const tape& t) {
   }
   for (int i = 0; i < out.sizes.operands; ++i) out.operands[i] = t.operands[i];
   for (int i = 0; i < out.sizes.externals; ++i) out.externals[i] = t.externals[i];
-  for (int i = 0; i < out.sizes.columns; ++i) out.columns[i] = t.columns[i];
   return out;
 }
 
@@ -142,7 +138,6 @@ constexpr fixed_tape<sizes> trimmed(const roomy_tape& from) {
                            from.factors[i], from.first_operands[i]};
   for (int i = 0; i < sizes.operands; ++i) out.operands[i] = from.operands[i];
   for (int i = 0; i < sizes.externals; ++i) out.externals[i] = from.externals[i];
-  for (int i = 0; i < sizes.columns; ++i) out.columns[i] = from.columns[i];
   return out;
 }
 

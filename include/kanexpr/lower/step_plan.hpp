@@ -11,13 +11,12 @@ namespace kanexpr::lower {
 /// action.
 ///
 /// The numbers, the steps before the angles, their arguments, and the angles come first. The other steps
-/// follow in their order. With `reads_late`, each is preceded by the arguments that it is the first to use:
-/// compilers keep that order, and an argument that is read long before its use takes a register from another
-/// value.
+/// follow in their order. Each is preceded by the arguments that it is the first to use: compilers keep that
+/// order, and an argument that is read long before its use takes a register from another value.
 ///
 /// Actions are encoded as numbers, so that all entries with the same action share one function. A step that
 /// fills several slots stores its values in scratch memory, from which each slot takes its value.
-template <class Code, bool reads_late>
+template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
   /// The actions other than operations and components: a sine with its cosine, the linear steps from
@@ -72,14 +71,12 @@ private:
   /// Arguments that some step behind the angles uses, but nothing before. Operations with one operand name
   /// slot 0 as the other, which is therefore filled first.
   constexpr void find_late_arguments() {
-    if constexpr (reads_late) {
-      for (int i = behind; i < tape.sizes.steps; ++i) is_late[tape.a[i]] = is_late[tape.b[i]] = true;
-      for (int i = 0; i < tape.sizes.operands; ++i) is_late[tape.operands[i]] = true;
-      for (int i = 0; i < behind; ++i) is_late[tape.a[i]] = is_late[tape.b[i]] = false;
-      for (int i = 0; i < numbers; ++i) is_late[i] = false;
-      for (int i = first_step; i < tape.slot_count(); ++i) is_late[i] = false;
-      is_late[0] = false;
-    }
+    for (int i = behind; i < tape.sizes.steps; ++i) is_late[tape.a[i]] = is_late[tape.b[i]] = true;
+    for (int i = 0; i < tape.sizes.operands; ++i) is_late[tape.operands[i]] = true;
+    for (int i = 0; i < behind; ++i) is_late[tape.a[i]] = is_late[tape.b[i]] = false;
+    for (int i = 0; i < numbers; ++i) is_late[i] = false;
+    for (int i = first_step; i < tape.slot_count(); ++i) is_late[i] = false;
+    is_late[0] = false;
   }
 
   constexpr void read(int slot) {

@@ -60,7 +60,6 @@ struct tape {
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
-  sequence<int> columns{}; ///< of each result, or -1; empty if there are few
   sequence<linear_step> linear_steps{};
   sequence<int> operands{}; ///< slots
   sequence<const symbolic::external_function*> externals{};

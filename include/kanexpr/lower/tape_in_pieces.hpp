@@ -31,12 +31,11 @@ inline constexpr bool solves_columns = [] {
   return false;
 }();
 
-/// Steps on vectors are cut into pieces of their own. Depends on the type of the numbers, so that a class
-/// that names `evaluated_tape` derives no code before it is called.
+/// Depends on the type of the numbers, so that a class that names `evaluated_tape` derives no code before it
+/// is called.
 template <class Code, class Number>
 inline constexpr bool is_cut =
-    solves_columns<Code> ||
-    (Code::tape.sizes.steps > lengths_of<Code>.longest_uncut && !uses_vectors<Code, Number>());
+    solves_columns<Code> || Code::tape.sizes.steps > lengths_of<Code>.longest_uncut;
 
 /// The cuts of the tape of `Code` as arrays that outlive constant evaluation.
 template <class Code>

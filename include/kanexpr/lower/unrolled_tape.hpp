@@ -4,7 +4,6 @@
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/step_plan.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
-#include <kanexpr/lower/vector_step.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <type_traits>
@@ -33,10 +32,7 @@ public:
 
   template <int index>
   [[gnu::always_inline]] const Number& result() const noexcept {
-    if constexpr (with_vectors)
-      return result_[steps_on_vectors<Code, Number>::place_of(index)];
-    else
-      return result_[index];
+    return result_[index];
   }
 
   /// Evaluates a piece of a longer tape: the loads are places in `memory`, and steps whose values other
@@ -47,11 +43,7 @@ public:
   }
 
 private:
-  static constexpr bool with_vectors = uses_vectors<Code, Number>();
-  /// Derivatives in many columns use the arguments everywhere: processors with vectors take 1 to 2 % longer
-  /// for those of the iiwa if each argument is read where it is first used, and less for everything else.
-  static constexpr bool reads_late = tape.sizes.columns == 0 || !has_vectors<Number>;
-  static constexpr step_plan<Code, reads_late> plan{};
+  static constexpr step_plan<Code> plan{};
   static constexpr int first_angle = tape.sizes.first_angle, angles = tape.sizes.angles,
                        given_before = tape.sizes.numbers + plan.early_count + first_angle;
 
@@ -90,19 +82,14 @@ private:
       const Number all[]{given[a_of_step(first_angle + 2 * angle)]...};
       scalar_math<Number>::template sincos<static_cast<std::size_t>(angles)>(all, sine, cosine);
     }
-    if constexpr (with_vectors) {
-      const Number before_steps[]{given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...};
-      steps_on_vectors<Code, Number>::run(before_steps, result_);
-    } else {
-      [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
-      [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
-          given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-          take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
-                                 plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
-                                 plan.what[entry] < 0 ? slot : nullptr, &arguments)...};
-      const int order[]{0, (result_[result] = slot[place_of(result)], 0)...};
-      static_cast<void>(order);
-    }
+    [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
+    [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
+        given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
+        take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
+                               plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
+                               plan.what[entry] < 0 ? slot : nullptr, &arguments)...};
+    const int order[]{0, (result_[result] = slot[place_of(result)], 0)...};
+    static_cast<void>(order);
   }
 
   template <int... number, int... load, int... before, int... angle, int... known, int... turned,
@@ -213,14 +200,7 @@ private:
     static_cast<void>(order);
   }
 
-  static consteval std::size_t places() {
-    if constexpr (with_vectors)
-      return at_least_one(steps_on_vectors<Code, Number>::places);
-    else
-      return at_least_one(tape.sizes.results);
-  }
-
-  Number result_[places()];
+  Number result_[at_least_one(tape.sizes.results)];
 };
 
 } // namespace kanexpr::lower
