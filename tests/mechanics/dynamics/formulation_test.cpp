@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/dynamics/solution_cost.hpp>
 
 #include <algorithm>
+#include <string>
 
 namespace {
 
@@ -16,16 +17,17 @@ using workbench::mechanics::equations;
 using workbench::mechanics::quantity;
 
 enum class joints { in_plane, in_space };
+enum class speeds { from_rod_before, from_ground };
 
 // A chain of rods, each angle measured from the rod before.
 struct chain : workbench::builder {
-  explicit chain(int links, joints kind) : builder("N") {
-    workbench::frame_id frame = inertial_frame();
-    workbench::point_id hinge = origin("O");
+  explicit chain(int links, joints kind, speeds measured = speeds::from_rod_before) : builder("N") {
+    workbench::expression speed_before = number(0);
     for (int i = 1; i <= links; ++i) {
       const std::string k = std::to_string(i);
       const workbench::expression q = coordinate("q" + k), u = speed("u" + k), l = parameter("l" + k);
-      kinematic_equation(dot(q) - u);
+      kinematic_equation(dot(q) - (measured == speeds::from_rod_before ? u : u - speed_before));
+      speed_before = u;
       const bool about_x = kind == joints::in_space && i % 2 == 1;
       const workbench::frame_id rod = rotated("A" + k, frame, q, along(frame, about_x, 0, !about_x));
       rigid_body("B" + k, offset("C" + k, hinge, along(rod, 0, -l / 2, 0)), rod, parameter("m" + k),
@@ -35,6 +37,9 @@ struct chain : workbench::builder {
     }
     gravity(along(inertial_frame(), 0, -9.81, 0));
   }
+
+  workbench::frame_id frame = inertial_frame(); // of the last rod
+  workbench::point_id hinge = origin("O");      // at its end
 };
 
 int operations_of(builder& b, const kanexpr::base::sequence<workbench::expression>& all) {
@@ -93,6 +98,74 @@ TEST(formulation, depends_on_what_operations_cost) {
       ++changed;
     }
   EXPECT_GT(changed, 0);
+}
+
+// The values of u̇ without M, by articulated bodies, are those by the elimination of M.
+TEST(formulation, of_a_long_chain_needs_no_mass_matrix) {
+  for (const joints kind : {joints::in_plane, joints::in_space})
+    for (const speeds measured : {speeds::from_rod_before, speeds::from_ground}) {
+      if (kind == joints::in_space && measured == speeds::from_ground) continue;
+      chain b(32, kind, measured);
+      if (measured == speeds::from_ground) b.by_articulated_bodies();
+      equations e(b.system());
+      kanexpr::symbolic::matrix both = e.get(quantity::udot);
+      EXPECT_FALSE(e.mistake());
+      const int before = b.graph().size();
+      const kanexpr::base::sequence<workbench::expression> diagonal =
+          kanexpr::mechanics::diagonal_of_mass_matrix(e.skeleton_used());
+      const int with_diagonal = b.graph().size();
+      EXPECT_EQ(with_diagonal, before); // a status compares pivots with it
+      const kanexpr::symbolic::matrix mass = e.get(quantity::mass_matrix);
+      EXPECT_GT(b.graph().size(), with_diagonal + 16 * 32);
+      for (int i = 0; i < mass.rows; ++i) EXPECT_EQ(diagonal[i], mass(i, i)) << i;
+      for (const workbench::expression& x :
+           kanexpr::symbolic::solve_symmetric(b.graph(), mass, e.get(quantity::forcing).entries).x)
+        both.entries.push(x);
+      both.columns = 2;
+      const Eigen::VectorXd all = numbers_of(both, [](const kanexpr::lower::load& l) {
+                                    return 0.7 + 0.3 * ((l.position * 7 + static_cast<int>(l.from)) % 5);
+                                  }).reshaped<Eigen::RowMajor>();
+      const double scale = all.cwiseAbs().maxCoeff();
+      EXPECT_LT((all.head(32) - all.tail(32)).cwiseAbs().maxCoeff(), 1e-11 * scale);
+    }
+}
+
+std::string mistake_in(chain& b, const std::string& last) {
+  equations e(b.system());
+  e.get(quantity::udot);
+  std::string found(e.mistake().view());
+  if (const std::size_t at = found.find(last); at != std::string::npos)
+    found.replace(at, last.size(), "last");
+  return found;
+}
+
+// A rod more, without mass or with the axis of the one before.
+TEST(formulation, does_not_change_what_is_said_of_singular_mass_matrices) {
+  const auto massless = [](int links) {
+    chain b(links, joints::in_plane);
+    const std::string last = std::to_string(links + 1);
+    const workbench::expression q = b.coordinate("q" + last), u = b.speed("u" + last);
+    b.kinematic_equation(b.dot(q) - u);
+    b.rotated("A" + last, b.frame, q, b.along(b.frame, 0, 0, 1));
+    return mistake_in(b, "u" + last);
+  };
+  EXPECT_EQ(massless(24), massless(3));
+  EXPECT_NE(massless(24).find("moves no mass"), std::string::npos) << massless(24);
+  const auto same = [](int links) {
+    chain b(links, joints::in_plane);
+    const std::string last = std::to_string(links + 1);
+    const workbench::expression q = b.coordinate("q" + last), u = b.speed("u" + last);
+    b.kinematic_equation(b.dot(q) - u);
+    const workbench::frame_id once = b.rotated("A" + last, b.frame, q, b.along(b.frame, 0, 0, 1));
+    const workbench::expression r = b.coordinate("r"), v = b.speed("v");
+    b.kinematic_equation(b.dot(r) - v);
+    const workbench::frame_id twice = b.rotated("B" + last, once, r, b.along(once, 0, 0, 1));
+    b.rigid_body("C", b.hinge, twice, b.parameter("m"),
+                 b.inertia(twice, b.parameter("I"), b.parameter("J"), b.parameter("K")));
+    return mistake_in(b, "u" + last);
+  };
+  EXPECT_EQ(same(24), same(3));
+  EXPECT_NE(same(24).find("move the same mass"), std::string::npos) << same(24);
 }
 
 TEST(formulation, takes_operations_in_proportion_to_the_length_of_a_chain) {

@@ -2,11 +2,13 @@
 #include "symbolic/random_formula.hpp"
 
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian_modes.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace {
 
@@ -198,6 +200,26 @@ TEST_F(differentiate_each, symbol_in_the_mode_that_visits_fewer_operations) {
   const jacobian_modes all(g, several, {x, a, b, z, y}, {}), held(g, several, {x, a, b, z, y}, {next});
   EXPECT_LT(held.by_forward(), all.by_forward());
   EXPECT_LT(held.by_both(), all.by_both());
+}
+
+// More than 64 symbols, and nodes that depend on few of them.
+TEST_F(differentiate_each, symbol_that_a_row_depends_on) {
+  constexpr int count = 150;
+  base::sequence<expression> by, rows;
+  for (int i = 0; i < count; ++i) by.push(of(kind::coordinate, ("p" + std::to_string(i)).c_str()));
+  for (int i = 0; i < count; ++i) {
+    const expression turned =
+        sum_of_products(sin(by[i]), by[(i + 1) % count], cos(by[i]), by[(i + 70) % count]);
+    rows.push(i % 2 == 0 ? turned : turned * -by[(i + 71) % count]);
+  }
+  const matrix all = forward_jacobian(g, rows, by);
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const int distance = (j - i + count) % count;
+      const bool depends = distance < 2 || distance == 70 || (distance == 71 && i % 2 != 0);
+      ASSERT_EQ(!all(i, j).is_zero(), depends) << i << ", " << j;
+      ASSERT_EQ(all(i, j), differentiate(rows[i], by[j])) << i << ", " << j;
+    }
 }
 
 TEST_F(total_time_derivative, follows_every_rate) {

@@ -6,6 +6,9 @@
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
 
 /// Mass matrices that are singular in every configuration.
 namespace kanexpr::mechanics {
@@ -57,13 +60,20 @@ constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::mat
 /// Whether every pivot of the elimination of a mass matrix is clearly different from zero, relative to its
 /// diagonal entry, at a generic state. Constant pivots are not known; they count as zero.
 constexpr bool are_clearly_regular(const mechanism& m, const sequence<symbolic::pivot>& pivots) {
+  // more than the rounding errors of constants with ten digits, less than the pivots at the base of a chain
+  constexpr double least = 1e-7;
   if (pivots.size() < m.speeds_of_motion()) return false;
-  symbolic::matrix both(*m.g, pivots.size(), 2);
-  for (int i = 0; i < pivots.size(); ++i) both(i, 0) = pivots[i].value, both(i, 1) = pivots[i].entry;
-  for (const numbers& state : at_generic_states(both, &m)) {
+  sequence<int> outputs;
+  for (const symbolic::pivot& p : pivots) outputs.push(p.value.node()), outputs.push(p.entry.node());
+  symbolic::evaluation value(*m.g, outputs);
+  detail::generic_values generic(*m.g, value.live(), &m, 1);
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    generic.draw();
+    value.at([&](int id) { return generic[id]; });
     bool is_regular = true;
-    for (int i = 0; i < state.rows; ++i)
-      is_regular = is_regular && detail::magnitude(state(i, 0)) > clearly * detail::magnitude(state(i, 1));
+    for (int i = 0; i < outputs.size(); i += 2) // not if a value is NaN
+      is_regular = is_regular &&
+                   detail::magnitude(value[outputs[i]]) > least * detail::magnitude(value[outputs[i + 1]]);
     if (is_regular) return true;
   }
   return false;

@@ -40,9 +40,9 @@ constexpr matrix3 acceleration_matrix(const components& w, const components& alp
 class motion {
 public:
   constexpr motion() = default;
-  motion(const motion&) = default;
+  motion(const motion&) = delete;
   motion(motion&&) = default;
-  motion& operator=(const motion&) = default;
+  motion& operator=(const motion&) = delete;
   motion& operator=(motion&&) = default;
   /// `udot` are the rates of the speeds; without them, all accelerations are evaluated at u̇ = 0, which gives
   /// the bias of Kane's equations.

@@ -133,8 +133,7 @@ private:
       reverse_[id] -= count; // the first of several parts of an adjoint is not added to anything
       const node& n = nodes_[id];
       if (n.op <= operation::symbol || is_held_[id] != 0 || count == 0) continue;
-      if (const rotated_component x = rotated_component_at(g, n);
-          x && users_[n.a] == 1 && users_[n.b] == 1) {
+      if (const rotated_component x = rotated_component_at(g, n); x && users_[n.a] == 1 && users_[n.b] == 1) {
         for (int operand : {x.value[0], x.value[1], x.angle}) pass(id, operand, count, true);
         continue;
       }

@@ -107,10 +107,10 @@ public:
 
   constexpr int find_or_append(const node& wanted) {
     // without a call, because this is the most frequent function of all
-    unsigned place = hash_mask_ & (__builtin_is_constant_evaluated()
-                                       ? static_cast<unsigned>(wanted.a * 211 + wanted.b * 5 +
-                                                               static_cast<int>(wanted.op))
-                                       : hash(wanted));
+    unsigned place =
+        hash_mask_ & (__builtin_is_constant_evaluated()
+                          ? static_cast<unsigned>(wanted.a * 211 + wanted.b * 5 + static_cast<int>(wanted.op))
+                          : hash(wanted));
     for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
       const node& present = nodes_[next - 1];
       if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;

@@ -57,8 +57,7 @@ private:
       if (n.op <= operation::symbol) continue; // a leaf
       if (changes[n.a] != 0)
         changes[visited_] = 1;
-      else if (n.op > operation::negate && (n.op <= operation::power || is_binary(n.op)) &&
-               changes[n.b] != 0)
+      else if (n.op > operation::negate && (n.op <= operation::power || is_binary(n.op)) && changes[n.b] != 0)
         changes[visited_] = 1;
     }
   }
@@ -79,8 +78,8 @@ private:
   graph& graph_;
   base::zeros<int> images_{};
   base::zeros<char> changes_{};
-  int* image_ = nullptr;   ///< by node
-  char* change_ = nullptr; ///< by node: whether it depends on a replaced one
+  int* image_ = nullptr;                          ///< by node
+  char* change_ = nullptr;                        ///< by node: whether it depends on a replaced one
   int visited_ = std::numeric_limits<int>::max(); ///< no earlier node was replaced
 };
 
