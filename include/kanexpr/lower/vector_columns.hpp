@@ -64,18 +64,17 @@ class column_plan {
   static constexpr linear_step system = tape.linear_steps[index];
   static constexpr int factors = numeric::symmetric_factors{system.order}.size();
 
-  static constexpr numeric::column_steps found() { return column_steps_of(tape_view(tape), system); }
-
   struct arrays {
-    numeric::column_step steps[static_cast<std::size_t>(found().all.size())]{};
+    numeric::column_step steps[static_cast<std::size_t>(system.order * system.order)]{};
+    int count = 0;
     bool is_given[static_cast<std::size_t>(system.order)]{};  ///< whether a row of B differs from zero
     bool is_filled[static_cast<std::size_t>(system.order)]{}; ///< whether a row of X does
 
     constexpr arrays() {
-      const numeric::column_steps all = found();
-      for (int i = 0; i < all.all.size(); ++i) {
-        steps[i] = all.all[i];
-        steps[i].factor = tape.operands[system.operands + steps[i].factor];
+      const numeric::column_steps all = column_steps_of(tape_view(tape), system);
+      for (const numeric::column_step& s : all.all) {
+        steps[count] = s;
+        steps[count++].factor = tape.operands[system.operands + s.factor];
       }
       for (int i = 0; i < system.order; ++i) is_filled[i] = all.filled[i] != 0;
       const int zero = slot_of_zero(tape_view(tape));
@@ -86,7 +85,7 @@ class column_plan {
 
 public:
   static constexpr arrays value{};
-  static constexpr int order = system.order, columns = system.factors, count = found().all.size(),
+  static constexpr int order = system.order, columns = system.factors, count = value.count,
                        right = system.operands + factors;
 };
 
