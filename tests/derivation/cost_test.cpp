@@ -53,12 +53,13 @@ int linearization() {
 }
 
 // Derivatives with respect to the angle of the iiwa's last joint are formed forward, those with respect to
-// the others in reverse; all derivatives of the pendulum and of the quadruped are formed forward.
+// the others in reverse; all derivatives of the pendulum and of the quadruped are formed forward. Columns that
+// are solved together take up to 5 % more operations than each for itself, and less time.
 TEST(cost, of_linearizations) {
-  EXPECT_LE(linearization<iiwa::System>(), 4040);
-  EXPECT_LE(linearization<puma::System>(), 4200);
-  EXPECT_LE(linearization<pendulum6::System>(), 1540);
-  EXPECT_LE(linearization<quadruped::System>(), 17540);
+  EXPECT_LE(linearization<iiwa::System>(), 4240);
+  EXPECT_LE(linearization<puma::System>(), 4290);
+  EXPECT_LE(linearization<pendulum6::System>(), 1560);
+  EXPECT_LE(linearization<quadruped::System>(), 17840);
 }
 
 TEST(cost, of_second_order) {
