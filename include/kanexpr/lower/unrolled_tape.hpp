@@ -6,6 +6,7 @@
 #include <kanexpr/lower/unrolled_elimination.hpp>
 #include <kanexpr/lower/vector_step.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <type_traits>
 #include <utility>
