@@ -5,6 +5,7 @@
 #include <kanexpr/lower/step_plan.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <type_traits>
 #include <utility>
