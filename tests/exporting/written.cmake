@@ -2,6 +2,7 @@
 find_program(KANEXPR_C_COMPILER NAMES cc gcc clang-19 REQUIRED)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
 add_executable(exporting_models_in_c exporting/models_in_c.cpp)
+target_compile_options(exporting_models_in_c PRIVATE -O0) # it writes the files once
 target_include_directories(exporting_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(exporting_models_in_c PRIVATE kanexpr::engine kanexpr::fmi kanexpr_strict kanexpr_snippets)
 set(for_casadi cart driven a wheel bound_pendulum disc motor_arm loaded_arm cornering_car elbow)
