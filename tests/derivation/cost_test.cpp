@@ -1,3 +1,4 @@
+// builds: clang++
 // The cost of the models must not increase.
 #include <kanexpr/derivation/cost.hpp>
 #include <models/iiwa.hpp>

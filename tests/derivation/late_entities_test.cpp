@@ -1,3 +1,4 @@
+// builds: clang++
 // Frames and points that occur only in an expression can be added to an existing derivation without changing
 // its results.
 #include <kanexpr/derivation/extract_code.hpp>

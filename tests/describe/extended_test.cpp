@@ -1,3 +1,4 @@
+// builds: clang++
 // An extended system equals one that is written as a whole.
 #include <kanexpr/kanexpr.hpp>
 #include <models/double_pendulum.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Loads in different words, and loads that depend on motion, compared with the same loads written out. The
 // systems are derived at run time, because only the reading is compared.
 #include <kanexpr/symbolic.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Frames described by modified Rodrigues parameters, compared with unit quaternions and with the matrix in
 // the book.
 #include <kanexpr/runtime/builder.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // docs/coming-from: kanexpr's programs print what the pages show.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // Constraints: docs/guide/constraints.md.
 #include "docs/complete.hpp"
 #include "docs/printed.hpp"

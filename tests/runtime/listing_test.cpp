@@ -1,3 +1,4 @@
+// builds: clang++
 // Results as text, as code or as expressions with named parts: separate parsers read it and obtain the values
 // of the interpreter.
 #include <kanexpr/runtime/listing.hpp>

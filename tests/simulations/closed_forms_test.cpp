@@ -1,3 +1,4 @@
+// builds: clang++
 // Motions that are known in closed form.
 #include <kanexpr/simulate.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // A double pendulum without friction conserves its energy.
 #include <kanexpr/simulate.hpp>
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Steady motions in closed form: a disc that rolls in a circle, and a bead on a hoop that spins.
 #include "models/rolling_disc_constrained.hpp"
 

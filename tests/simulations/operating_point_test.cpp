@@ -1,3 +1,4 @@
+// builds: clang++
 // Operating points of a pendulum with a motor, compared with closed forms, and mistakes in the options.
 #include "models/simple_pendulum.hpp"
 

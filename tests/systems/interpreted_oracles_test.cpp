@@ -1,3 +1,4 @@
+// builds: clang++
 // Every system with a reference, derived at run time.
 #include "systems/interpreted.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "describe/joints/by_hand.hpp"
 
 #include <Eigen/Geometry>

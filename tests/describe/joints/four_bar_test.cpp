@@ -1,3 +1,4 @@
+// builds: clang++
 // A four-bar linkage described by its joints: the reactions, compared with the Newton-Euler equations of its
 // bars, which are solved with the accelerations of the closed loop.
 #include <kanexpr/reactions.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 #include <models/iiwa.hpp>
 #include <models/iiwa_by_joints.hpp>
 
