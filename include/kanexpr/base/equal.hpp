@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 
 namespace kanexpr::base {
 
@@ -11,6 +12,15 @@ constexpr bool equal(const Value& x, const Value& y) {
 }
 
 constexpr bool equal(double x, double y) { return x <= y && x >= y; } // faster in constant evaluation
+
+/// Compares texts from the end, because names often differ only there and compilers interpret every step.
+constexpr bool equal(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  const char *const begin = a.data(), *other = b.data() + b.size();
+  for (const char* letter = begin + a.size(); letter != begin;)
+    if (*--letter != *--other) return false;
+  return true;
+}
 
 /// True if the value is not NaN.
 template <class Value>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/beam_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
@@ -33,7 +34,7 @@ public:
           {"the inertia of ", r.called, " is ", r.instead_of_inertia, ", which is not an inertia"});
     for (const body_record* before : read_) {
       if (before == &r) return reading_.fail({"body ", r.called, " is listed twice"});
-      if (before->called == r.called) return reading_.fail({"two bodies are called ", r.called});
+      if (base::equal(before->called, r.called)) return reading_.fail({"two bodies are called ", r.called});
     }
     read_.push(&r);
     if (r.beam != nullptr) return beams_.read(r);

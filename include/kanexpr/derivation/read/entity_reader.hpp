@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/freed_joints.hpp>
 #include <kanexpr/derivation/read/phrase_reader.hpp>
@@ -222,7 +223,7 @@ private:
       return false;
     else if (r.declared_name.empty())
       fail_by_kind(kind, r.called, whom, r.instead, r.its_own);
-    else if (r.called != r.declared_name)
+    else if (!base::equal(r.called, r.declared_name))
       reading_.fail_by_self(kind, r.called, r.declared_name);
     else
       return true;
@@ -233,7 +234,7 @@ private:
                             const sequence<const Record*>& open) {
     for (const sequence<const Record*>* list : {&known, &open})
       for (const Record* other : *list)
-        if (other->called == r.called) reading_.fail({"two ", kind, "s are called ", r.called});
+        if (base::equal(other->called, r.called)) reading_.fail({"two ", kind, "s are called ", r.called});
   }
 
   constexpr void check_frame(const frame_record& r, std::string_view whom) {

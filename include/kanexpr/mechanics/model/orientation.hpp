@@ -101,16 +101,27 @@ private:
   /// Adds the rotations of the frames between `meeting` and `end`, from the innermost outward.
   constexpr void push_turns(const mechanism& m, int end, int meeting, bool is_upward) {
     const sequence<int> way = way_down(m, end, meeting);
-    const int first = rotations_.size();
     const frame* const frames = m.frames.begin();
     const int* const places = way.begin();
+    int axis = none, angle = 0; // of the last rotation, to which more may be added
     for (int i = way.size() - 1; i >= 0; --i) {
       const frame& f = frames[places[i]];
-      if (f.kind == orientation::about_basis)
-        push_turn(f.axis, is_upward ? f.angle : -f.angle, first);
-      else if (!f.to_parent.is_identity())
+      if (f.kind == orientation::about_basis) {
+        int turn = f.angle.node();
+        if (!is_upward) turn = symbolic::negate(*m.g, turn);
+        if (f.axis == axis) {
+          angle = symbolic::add(*m.g, angle, turn);
+          continue;
+        }
+        if (axis != none) rotations_.push({true, axis, {*m.g, angle}, matrix3{}});
+        axis = f.axis, angle = turn;
+      } else if (!f.to_parent.is_identity()) {
+        if (axis != none) rotations_.push({true, axis, {*m.g, angle}, matrix3{}});
+        axis = none;
         rotations_.push({false, 0, expression{}, is_upward ? f.to_parent : transpose(f.to_parent)});
+      }
     }
+    if (axis != none) rotations_.push({true, axis, {*m.g, angle}, matrix3{}});
   }
   /// The frames from `f` to the child of `meeting`, in ascending order.
   static constexpr sequence<int> way_down(const mechanism& m, int f, int meeting) {
@@ -118,16 +129,6 @@ private:
     const frame* const frames = m.frames.begin();
     for (; f != meeting; f = frames[f].parent) way.push(f);
     return way;
-  }
-  constexpr void push_turn(int axis, expression angle, int first_to_merge) {
-    if (rotations_.size() > first_to_merge) {
-      elementary_rotation& last = rotations_.back();
-      if (last.about_basis && last.axis == axis) {
-        last.angle += angle;
-        return;
-      }
-    }
-    rotations_.push({true, axis, angle, matrix3{}});
   }
 
   sequence<elementary_rotation> rotations_{};
