@@ -27,8 +27,10 @@ public:
   /// Whether anything was taken out.
   constexpr bool run() {
     list_pairs_of_factors();
+    list_pairs_of_terms();
+    const int* const has_common_factors = s_.has_common_factors.begin();
     for (int d = 0, end = s_.defined; d < end; ++d)
-      if (s_.first[d + 1] - s_.first[d] > 1) compare_terms(d);
+      if (has_common_factors[d] != 0) compare_terms(d);
     while (take_out_best()) {
     }
     if (saved_ == 0) return false;
@@ -52,16 +54,13 @@ private:
   /// Lists the pairs of factors that terms have in common. Two terms with only two factors are never equal,
   /// because equal nodes are one.
   constexpr void list_pairs_of_factors() {
+    for (int t : s_.long_terms) pair_factors(t);
+    if (pairs_ == 1) return;
     const int *const begin = s_.begin.begin(), *const factor = s_.factors.begin(),
                      *const seen = s_.seen.begin();
-    for (int t = 1; t < s_.terms; ++t)
-      if (begin[t + 1] - begin[t] > 2) pair_factors(t);
-    if (pairs_ == 1) return;
-    for (int t = 1; t < s_.terms; ++t) {
-      const int i = begin[t];
-      if (begin[t + 1] - i == 2 && seen[factor[i]] > 1 && seen[factor[i + 1]] > 1 &&
-          found(factor[i], factor[i + 1], product) != 0)
-        note(factor[i], factor[i + 1], product, t, t);
+    for (int t : s_.pairs_of_factors) {
+      const int a = factor[begin[t]], b = factor[begin[t] + 1];
+      if (seen[a] > 1 && seen[b] > 1 && found(a, b, product) != 0) note(a, b, product, t, t);
     }
   }
   constexpr void pair_factors(int t) {
@@ -75,25 +74,29 @@ private:
     }
   }
 
-  /// Finds the pairs of terms of one sum that share a factor, and the pairs that other sums may share.
-  constexpr void compare_terms(int d) {
+  /// Lists the pairs of single variables in one sum, which other sums may share.
+  constexpr void list_pairs_of_terms() {
     const int *const begin = s_.begin.begin(), *const factor = s_.factors.begin(),
-                     *const seen = s_.seen.begin();
+                     *const seen = s_.seen.begin(), *const owner = s_.owner_of.begin();
+    int singles[most_singles]{}, count = 0, d = none;
+    for (int t : s_.single_factors) {
+      const int f = factor[begin[t]];
+      if (seen[f] < 2) continue;
+      if (owner[t] / 2 != d) d = owner[t] / 2, count = 0;
+      for (int k = 0; k < count; ++k) note_terms(singles[k], t, factor[begin[singles[k]]] + 1, f + 1, false);
+      if (count < most_singles) singles[count++] = t;
+    }
+  }
+  /// Lists the pairs of terms of one sum that share a factor.
+  constexpr void compare_terms(int d) {
+    const int *const begin = s_.begin.begin(), *const factor = s_.factors.begin();
     int *const last = last_.begin(), *const before = before_.begin();
     const int first = s_.first[d], end = s_.first[d + 1], start = begin[first];
-    int singles[most_singles]{}, count = 0;
     for (int t = first; t < end; ++t) {
       const int from = begin[t], to = begin[t + 1];
-      if (to - from == 1 && seen[factor[from]] > 1 && count < most_singles) {
-        for (int k = 0; k < count; ++k)
-          note_terms(singles[k], t, factor[begin[singles[k]]] + 1, factor[from] + 1, false);
-        singles[count++] = t;
-      }
       for (int i = from; i < to; ++i) {
-        const int f = factor[i];
-        const int same = before[i] = last[f];
+        const int f = factor[i], same = before[i] = last[f];
         last[f] = i + 1;
-        if (same <= start) continue;
         for (int l = same; l > start; l = before[l - 1])
           if (l <= from) pair_terms(s_.term_at(l - 1, d), t, f);
       }
@@ -106,6 +109,7 @@ private:
     int i = s_.begin[s], j = s_.begin[t], a = 0, b = 0;
     const int to_i = s_.begin[s + 1], to_j = s_.begin[t + 1];
     bool has_common = false;
+    if (pairs_ + to_i - i + to_j - j > most_pairs) return;
     while (i < to_i || j < to_j) {
       const int x = i < to_i ? factors[i] : s_.room, y = j < to_j ? factors[j] : s_.room;
       if (x == y) {
@@ -155,7 +159,7 @@ private:
   }
 
   constexpr void note(int a, int b, kind which, int s, int t, bool has_base = false) {
-    if (pairs_ + 32 > most_pairs || noted_ == most_pairs) return;
+    if (pairs_ == most_pairs || noted_ == most_pairs) return;
     const int d = find_or_add(a, b, which), before = occurrences_.begin()[d], o = noted_++;
     occurrences_.begin()[d] = o;
     term_a_.begin()[o] = s, term_b_.begin()[o] = t, next_occurrence_.begin()[o] = before;
@@ -206,7 +210,6 @@ private:
   }
 
   constexpr bool take_out_best() {
-    if (s_.is_full()) return false;
     for (int gain = most_gain; gain > 0; --gain)
       while (!filed_[gain].empty()) {
         const int d = filed_[gain].back();
@@ -218,7 +221,7 @@ private:
           if (now > 0) file(d, now);
           continue;
         }
-        take_out(d);
+        if (!take_out(d)) return false;
         saved_ += now;
         return true;
       }
@@ -235,9 +238,11 @@ private:
     }
   }
 
-  constexpr void take_out(int d) {
+  constexpr bool take_out(int d) {
     const kind which = static_cast<kind>(second_[d] % 4);
-    const int first = first_[d], second = second_[d] / 4, v = s_.variables, own = s_.take_out();
+    const int first = first_[d], second = second_[d] / 4;
+    if (!s_.has_room_for(which == product ? 2 : length(first) + length(second) + 2)) return false;
+    const int v = s_.variables, own = s_.take_out();
     sequence<int> added;
     if (which == product) {
       s_.push_factor(first), s_.push_factor(second);
@@ -252,7 +257,7 @@ private:
     occurrences_[d] = 0;
     for (; o != 0; o = next_occurrence_[o]) {
       const int s = term_a_[o], t = term_b_[o];
-      if (s_.is_dropped[s] != 0 || s_.is_dropped[t] != 0) continue;
+      if (s_.is_dropped[s] != 0 || s_.is_dropped[t] != 0 || !s_.has_room_for(s_.size_of(s) + 1)) continue;
       push_without(s, added[0]);
       s_.push_factor(v);
       s_.drop_term(s);
@@ -260,6 +265,7 @@ private:
       added.push(s_.end_term(s_.owner_of[s] / 2, s_.owner_of[s] % 2, s < t ? s : t));
     }
     for (int t : added) compare_with_others(t);
+    return true;
   }
   /// Appends the factors of a term except those of another one.
   constexpr void push_without(int t, int other) {
@@ -274,24 +280,21 @@ private:
   }
   constexpr void compare_with_others(int t) {
     pair_factors(t);
-    const int d = s_.owner_of[t] / 2;
-    const bool is_single = s_.size_of(t) == 1;
+    const int *const begin = s_.begin.begin(), *const factor = s_.factors.begin(),
+                     *const seen = s_.seen.begin(), *const dropped = s_.is_dropped.begin();
+    const int d = s_.owner_of[t] / 2, from = begin[t], to = begin[t + 1], own = factor[from];
     for (int place = s_.first_of(d); place != 0; place = s_.next_of(place, d)) {
-      const int s = s_.now_at(place);
+      const int s = dropped[place] != 0 ? s_.now_at(place) : place;
       if (s == 0 || s >= t) continue;
-      const int common = first_common(s, t);
-      if (common != none)
-        pair_terms(s, t, common);
-      else if (is_single && s_.size_of(s) == 1 && s_.seen[s_.factors[s_.begin[s]]] > 1)
-        note_terms(s, t, s_.factors[s_.begin[s]] + 1, s_.factors[s_.begin[t]] + 1, false);
+      int i = begin[s], j = from;
+      const int end = begin[s + 1];
+      if (to - from == 1 && end - i == 1) {
+        if (factor[i] != own && seen[factor[i]] > 1) note_terms(s, t, factor[i] + 1, own + 1, false);
+        continue;
+      }
+      while (i < end && j < to && factor[i] != factor[j]) ++(factor[i] < factor[j] ? i : j);
+      if (i < end && j < to) pair_terms(s, t, factor[i]);
     }
-  }
-  constexpr int first_common(int s, int t) const {
-    for (int i = s_.begin[s], j = s_.begin[t]; i < s_.begin[s + 1] && j < s_.begin[t + 1];) {
-      if (s_.factors[i] == s_.factors[j]) return s_.factors[i];
-      ++(s_.factors[i] < s_.factors[j] ? i : j);
-    }
-    return none;
   }
 
   const sequence<int>& outputs_;

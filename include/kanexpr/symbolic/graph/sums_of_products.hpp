@@ -20,8 +20,8 @@ struct sums_of_products {
   constexpr sums_of_products(graph& owner, const sequence<int>& outputs, const sequence<int>& also_needed)
       : g(owner), nodes(last_of(outputs) + 1), variables(nodes), room(4 * nodes + 1024), uses(nodes),
         definition(room), image(room), seen(room), live(nodes), variable_of(room), first(room), added(room),
-        is_changed(room), begin(room), owner_of(room), next(room), replacement(room), is_dropped(room),
-        factors(room) {
+        is_changed(room), has_common_factors(room), last_term(room), begin(room), owner_of(room), next(room),
+        replacement(room), is_dropped(room), factors(room) {
     list_live(outputs, also_needed);
     define();
   }
@@ -62,7 +62,7 @@ struct sums_of_products {
     const int *const use = uses.begin(), *const list = live.begin();
     int *const of = definition.begin(), *const factor = factors.begin(), *const from = begin.begin(),
                *const by = owner_of.begin(), *const count_of = seen.begin(), *const first_of = first.begin(),
-               *const variable = variable_of.begin();
+               *const variable = variable_of.begin(), *const last = last_term.begin();
     int d = 0, t = 1, f = 0;
     int pending[most_pending]{}, parts[most_pending]{};
     for (int i = 0, end = live_count; i < end; ++i) {
@@ -71,7 +71,7 @@ struct sums_of_products {
       if ((op != operation::multiply && op != operation::add && op != operation::subtract) || of[root] != 0)
         continue;
       variable[d] = root;
-      first_of[d] = t;
+      const int first_term = first_of[d] = t;
       ++d;
       int top = 1;
       pending[0] = 2 * root;
@@ -99,10 +99,12 @@ struct sums_of_products {
           left = 1;
         }
         const int start = f;
+        bool may_be_seen_again = true;
         while (left > 0) {
           const int part = parts[--left];
           const node& p = all[part];
-          if (p.op == operation::multiply && use[part] == 1 && of[part] != kept && part != id &&
+          const int used = use[part];
+          if (p.op == operation::multiply && used == 1 && of[part] != kept && part != id &&
               left + 2 < most_pending) {
             of[part] = d;
             parts[left++] = p.b, parts[left++] = p.a;
@@ -111,9 +113,20 @@ struct sums_of_products {
           int place = f++;
           for (; place > start && factor[place - 1] > part; --place) factor[place] = factor[place - 1];
           factor[place] = part;
+          if (used < 2) {
+            may_be_seen_again = false;
+            continue; // seen once
+          }
           ++count_of[part];
+          if (const int before = last[part]; before >= first_term && before < t)
+            has_common_factors[d - 1] = 1;
+          last[part] = t;
         }
         by[t] = 2 * (d - 1) + sign;
+        if (f - start > 2)
+          long_terms.push(t);
+        else if (may_be_seen_again)
+          (f - start == 1 ? single_factors : pairs_of_factors).push(t);
         ++t;
         from[t] = f;
       }
@@ -135,10 +148,8 @@ struct sums_of_products {
 
   // changes
 
-  constexpr bool is_full() const {
-    constexpr int most_added = 512;
-    const int most = terms > factor_count ? terms : factor_count;
-    return most > room - most_added || variables + 2 > room;
+  constexpr bool has_room_for(int more_factors) const {
+    return factor_count + more_factors <= room && terms + 3 < room && variables + 1 < room;
   }
   constexpr void push_factor(int variable) { factors[factor_count++] = variable; }
   /// Ends a term whose factors were pushed. It takes the place of another one, unless that is 0.
@@ -178,19 +189,26 @@ struct sums_of_products {
 
   /// Builds the changed sums and products, and what depends on them.
   constexpr void rebuild() {
+    const int *const list = live.begin(), *const of = definition.begin(), *const changed = is_changed.begin(),
+                     *const variable = variable_of.begin();
+    int* const images = image.begin();
+    const node* all = g.begin();
     for (int i = live_count - 1; i >= 0; --i) {
-      const int id = live[i];
-      const node n = g[id];
-      const int d = definition[id] - 1;
-      if (d >= 0 && is_changed[d] != 0) {
-        if (variable_of[d] == id) image[id] = built(d);
+      const int id = list[i], d = of[id] - 1;
+      if (d >= 0 && changed[d] != 0) {
+        if (variable[d] != id) continue;
+        images[id] = built(d);
+        all = g.begin();
         continue;
       }
+      const node& n = all[id];
       const bool has_second =
           n.op <= operation::power ? n.op != operation::negate : is_binary(n.op) && is_value(n);
-      const int a = image[n.a] != 0 ? image[n.a] : n.a;
-      const int b = has_second && image[n.b] != 0 ? image[n.b] : n.b;
-      if (a != n.a || b != n.b) image[id] = build(g, n.op, a, b);
+      const int a = images[n.a], b = has_second ? images[n.b] : 0;
+      if (a == 0 && b == 0) continue;
+      const int now = build(g, n.op, a != 0 ? a : n.a, b != 0 ? b : n.b);
+      if (now != id) images[id] = now;
+      all = g.begin();
     }
   }
   constexpr int image_of(int variable) {
@@ -226,10 +244,14 @@ struct sums_of_products {
   base::zeros<int> seen;       ///< how often it is a factor
   base::zeros<int> live;       ///< the live nodes
   // by definition
-  base::zeros<int> variable_of, first, added, is_changed;
+  base::zeros<int> variable_of, first, added, is_changed, has_common_factors;
+  base::zeros<int> last_term; ///< by variable, the last term that contains it
   // by term
   base::zeros<int> begin, owner_of, next, replacement, is_dropped;
   base::zeros<int> factors;
+  // the terms of the definitions at first: those with three or more factors, and those with one or two of
+  // which each may occur elsewhere
+  sequence<int> long_terms{}, single_factors{}, pairs_of_factors{};
 };
 
 } // namespace kanexpr::symbolic::detail
