@@ -285,6 +285,8 @@ private:
       for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = both[k++];
   }
 
+  /// Takes common parts out of the sums of the mass matrix and the forces. What the rates of dependent speeds
+  /// and derivatives need in any case remains unchanged.
   constexpr void factor_mass_and_force() {
     sequence<int> both = symbolic::nodes_of(force_);
     for (int i = 0; i < mass_.rows; ++i)

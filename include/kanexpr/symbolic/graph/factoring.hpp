@@ -42,6 +42,7 @@ public:
     for (int id : outputs_) found.push(s_.image_of(id));
     return found;
   }
+  /// The operations saved, and those before.
   constexpr int saved() const { return saved_; }
   constexpr int operations() const { return s_.live_count; }
 
@@ -134,9 +135,9 @@ private:
       note(b, a, which, t, s, has_base);
   }
 
-  /// The number of a pair: of two sets of factors in a sum or difference, two factors, or a set of factors
-  /// and a further one. A set is 0 if it is empty, one more than the only factor, or the number of a pair
-  /// plus `room` + 1.
+  /// The number of a pair, or 0: of two sets of factors in a sum or difference, two factors, or a set of
+  /// factors and a further one. A set is 0 if it is empty, one more than the only factor, or the number of a
+  /// pair plus `room` + 1.
   constexpr int found(int a, int b, kind which) const {
     constexpr unsigned mask = table_room - 1;
     const int second = 4 * b + which;
@@ -310,7 +311,8 @@ private:
 };
 
 /// Returns the outputs with common parts of sums and products taken out. The nodes in `also_needed` are
-/// needed regardless of the outputs.
+/// needed regardless of the outputs and remain unchanged. Long outputs are returned unchanged, because the
+/// time that compilers take for them matters more.
 constexpr sequence<int> factored(graph& g, const sequence<int>& outputs, const sequence<int>& also_needed) {
   constexpr int most_passes = 4, least_part = 128; // what saves less is not worth another pass
   constexpr int most_operations = 2500;

@@ -135,8 +135,6 @@ struct sums_of_products {
     defined = definitions = d, terms = t, factor_count = f;
   }
 
-  constexpr int begin_of(int t) const { return begin[t]; }
-  constexpr int end_of(int t) const { return begin[t + 1]; }
   constexpr int size_of(int t) const { return begin[t + 1] - begin[t]; }
 
   /// The term that contains a factor, one of those that a definition had initially.
