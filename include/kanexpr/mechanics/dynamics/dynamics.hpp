@@ -12,6 +12,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/linear/cofactors.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
@@ -101,14 +102,15 @@ public:
     if (mass_.rows != 0) return mass_;
     const symbolic::matrix &free = free_mass(), &on_independent = dependent().on_independent;
     mass_ = reduced_mass(*m_.g, free, speeds_, on_independent, coupling());
+    force_ = formed_force();
     if (has_sines_in_components(m_, loads_)) gather_mass_and_force();
+    factor_mass_and_force();
     return mass_;
   }
 
   /// f in M u̇ = f for the independent speeds.
   constexpr const sequence<expression>& force() {
-    if (force_.empty() && has_sines_in_components(m_, loads_)) mass();
-    if (force_.empty()) force_ = formed_force();
+    if (force_.empty()) mass();
     return force_;
   }
 
@@ -310,7 +312,6 @@ private:
   /// Shortens the mass matrix and the forces together, because they share many terms. The rates of dependent
   /// speeds remain unchanged.
   constexpr void gather_mass_and_force() {
-    force_ = formed_force();
     sequence<expression> both = force_, others = dependent().on_independent.entries;
     for (int i = 0; i < mass_.rows; ++i)
       for (int j = 0; j <= i; ++j) both.push(mass_(i, j));
@@ -320,6 +321,25 @@ private:
     for (expression& e : force_) e = both[k++];
     for (int i = 0; i < mass_.rows; ++i)
       for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = both[k++];
+  }
+
+  /// Takes common parts out of the sums of the mass matrix and the forces. What the rates of dependent speeds
+  /// and derivatives need in any case remains unchanged.
+  constexpr void factor_mass_and_force() {
+    sequence<int> both = symbolic::nodes_of(force_);
+    for (int i = 0; i < mass_.rows; ++i)
+      for (int j = 0; j <= i; ++j) both.push(mass_(i, j).node());
+    sequence<int> others = symbolic::nodes_of(dependent().on_independent.entries);
+    others.append(symbolic::nodes_of(dependent().acceleration_bias));
+    if (!speeds_.dependent.empty()) {
+      others.append(symbolic::nodes_of(coupling().entries));
+      others.append(symbolic::nodes_of(free_mass().entries));
+    }
+    both = symbolic::factored(*m_.g, both, others);
+    int k = 0;
+    for (expression& e : force_) e = {*m_.g, both[k++]};
+    for (int i = 0; i < mass_.rows; ++i)
+      for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = expression(*m_.g, both[k++]);
   }
 
   constexpr bool by_lagrange() const { return m_.derived_by == method::lagrange; }
