@@ -4,6 +4,7 @@
 #include <kanexpr/base/zeros.hpp>
 #include <kanexpr/numeric/symmetric_columns.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
