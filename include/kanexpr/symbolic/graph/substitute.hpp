@@ -41,7 +41,8 @@ private:
 
   constexpr void make_room() {
     if (images_.size() >= graph_.size()) return;
-    images_.grow(__builtin_is_constant_evaluated() ? base::zeros<int>::room : 2 * graph_.size());
+    constexpr int room = base::zeros<int>::room;
+    images_.grow(__builtin_is_constant_evaluated() && graph_.size() < room ? room : 2 * graph_.size());
     changes_.grow(images_.size());
     image_ = images_.begin();
     change_ = changes_.begin();
