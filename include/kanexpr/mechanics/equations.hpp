@@ -2,18 +2,16 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
 #include <kanexpr/mechanics/checks/check_coriolis.hpp>
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
-#include <kanexpr/mechanics/checks/check_mass.hpp>
+#include <kanexpr/mechanics/checks/regular_mass.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
 #include <kanexpr/mechanics/constraints/redundant_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/coriolis.hpp>
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/minimal.hpp>
-#include <kanexpr/mechanics/dynamics/positive_mass.hpp>
 #include <kanexpr/mechanics/dynamics/regressor.hpp>
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
@@ -275,18 +273,16 @@ private:
     }
   }
 
+  constexpr void take(const checked_mass& found) {
+    mistake_ = found.mistake;
+    is_mass_regular_ = found.is_regular;
+  }
+
   constexpr const symbolic::matrix& mass() {
     const symbolic::matrix& formed = dynamics_.mass();
     if (mistake_ || is_mass_checked_) return formed;
     is_mass_checked_ = true;
-    sequence<expression> diagonal;
-    for (int i = 0; i < formed.rows; ++i) diagonal.push(formed(i, i));
-    mistake_ = check_mass_matrix(*m_, speeds_, diagonal);
-    const bool is_positive = !system_->loads.has_lagrangian && positive_energy_proof(s_).is_positive();
-    if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
-    // if lengths are unbounded, a pivot may consist entirely of rounding errors
-    is_mass_regular_ =
-        is_positive && symbolic::depend_only_on_angles(*m_->g, symbolic::nodes_of(formed.entries));
+    take(check_regular_mass(s_, speeds_, formed, system_->loads.has_lagrangian));
     return formed;
   }
   constexpr sequence<symbolic::pivot> pivots() const {
@@ -295,28 +291,14 @@ private:
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
-    if (!is_solution_checked_) check_solution();
+    if (is_solution_checked_) return dynamics_.accelerations();
+    is_solution_checked_ = true;
+    if (is_mass_checked_ || !dynamics_.solves_without_mass())
+      mass(); // may report a mistake
+    else if (!mistake_)
+      take(check_regular_pivots(s_, speeds_, dynamics_));
     return dynamics_.accelerations();
   }
-
-  /// Does what `mass` does; without M if u̇ does not need it.
-  constexpr void check_solution() {
-    is_solution_checked_ = true;
-    if (is_mass_checked_ || !dynamics_.solves_without_mass()) {
-      mass();
-      return;
-    }
-    if (mistake_) return;
-    const bool is_positive = positive_energy_proof(s_).is_positive();
-    sequence<int> values;
-    for (const symbolic::pivot& p : dynamics_.pivots_without_mass()) values.push(p.value.node());
-    is_mass_regular_ = is_positive && symbolic::depend_only_on_angles(*m_->g, values);
-    if (is_mass_regular_) return;
-    mistake_ = check_mass_matrix(*m_, speeds_, dynamics_.compare_pivots_with_diagonal());
-    if (!mistake_ && !is_positive && !are_clearly_regular(*m_, dynamics_.pivots_without_mass()))
-      mistake_ = check_same_mass(*m_, speeds_, dynamics_.mass());
-  }
-
   constexpr sequence<expression> forces_of_gravity() const {
     sequence<expression> forces = mechanics::forces_of_gravity(s_, system_->loads);
     forces.resize(m_->speeds.size()); // the auxiliary speeds come last

@@ -205,7 +205,7 @@ TEST_F(differentiate_each, symbol_in_the_mode_that_visits_fewer_operations) {
 // More than 64 symbols, and nodes that depend on few of them.
 TEST_F(differentiate_each, symbol_that_a_row_depends_on) {
   constexpr int count = 150;
-  base::sequence<expression> by, rows;
+  sequence<expression> by, rows;
   for (int i = 0; i < count; ++i) by.push(of(kind::coordinate, ("p" + std::to_string(i)).c_str()));
   for (int i = 0; i < count; ++i) {
     const expression turned =
