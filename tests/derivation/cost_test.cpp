@@ -40,12 +40,12 @@ TEST(cost, is_the_same_while_the_program_runs) {
 }
 
 TEST(cost, of_robots) {
-  EXPECT_LE(equations<puma::System>(), 750);
-  EXPECT_LE(accelerations<puma::System>(), 900);
-  EXPECT_LE(equations<iiwa::System>(), 540);
-  EXPECT_LE(accelerations<iiwa::System>(), 730);
-  EXPECT_LE(equations<quadruped::System>(), 1810);
-  EXPECT_LE(accelerations<quadruped::System>(), 2980);
+  EXPECT_LE(equations<puma::System>(), 690);
+  EXPECT_LE(accelerations<puma::System>(), 840);
+  EXPECT_LE(equations<iiwa::System>(), 525);
+  EXPECT_LE(accelerations<iiwa::System>(), 715);
+  EXPECT_LE(equations<quadruped::System>(), 1715);
+  EXPECT_LE(accelerations<quadruped::System>(), 2890);
 }
 
 template <class System>
