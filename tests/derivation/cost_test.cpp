@@ -54,8 +54,8 @@ int linearization() {
 }
 
 // Derivatives with respect to the angle of the iiwa's last joint are formed forward, those with respect to
-// the others in reverse; all derivatives of the pendulum and of the quadruped are formed forward. Columns that
-// are solved together take up to 5 % more operations than each for itself, and less time.
+// the others in reverse; all derivatives of the pendulum and of the quadruped are formed forward. Columns
+// that are solved together take up to 5 % more operations than each for itself, and less time.
 TEST(cost, of_linearizations) {
   EXPECT_LE(linearization<iiwa::System>(), 4240);
   EXPECT_LE(linearization<puma::System>(), 4290);
