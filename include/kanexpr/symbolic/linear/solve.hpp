@@ -8,6 +8,7 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/linear/column_groups.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 #include <kanexpr/symbolic/linear/symmetric_columns.hpp>
 
@@ -172,7 +173,8 @@ public:
                                            matrix& x) const {
     sequence<pivot> pivots = pivots_;
     const int factors = list_of_factors(pivots);
-    for (const column_group& group : groups_of(right, columns)) solve_group(right, group.columns, factors, x);
+    for (const column_group& group : column_groups(n_, order_, factors_).of(right, columns))
+      solve_group(right, group.columns, factors, x);
     return pivots;
   }
 
@@ -194,61 +196,6 @@ private:
       rows.push(list_of(g_, row));
     }
     return list_of(g_, rows);
-  }
-
-  /// Columns that are solved together.
-  struct column_group {
-    sequence<int> columns{};
-    sequence<char> filled{}; ///< the rows in which the reduced right-hand side of any column is nonzero
-    int steps = 0;           ///< for each column
-  };
-
-  constexpr sequence<column_group> groups_of(const matrix& right, const sequence<int>& columns) const {
-    sequence<column_group> groups;
-    for (int j : columns) {
-      column_group added{{j}, sequence<char>(n_, 0)};
-      for (int i = 0; i < n_; ++i) added.filled[i] = right(i, j).is_zero() ? 0 : 1;
-      fill(added);
-      bool is_new = true;
-      for (column_group& each : groups) is_new = is_new && !join(each, added, false);
-      if (is_new) groups.push(added);
-    }
-    for (int i = groups.size() - 1; i > 0; --i)
-      for (int k = 0; k < i; ++k)
-        if (join(groups[k], groups[i], true)) {
-          groups[i] = groups.back();
-          groups.pop();
-          break;
-        }
-    return groups;
-  }
-  static constexpr int fewest_per_added = 8; ///< steps for which one may be added
-
-  /// Completes the rows that become nonzero, and counts the steps.
-  constexpr void fill(column_group& group) const {
-    const int* const factors = factors_.begin();
-    char* const filled = group.filled.begin();
-    group.steps = n_;
-    for (int p : order_)
-      for (int i = 0; i < n_; ++i) {
-        if (factors[p * n_ + i] == graph::zero) continue;
-        ++group.steps;
-        if (filled[p] != 0) filled[i] = 1, ++group.steps;
-      }
-  }
-
-  /// Joins two groups unless this adds steps, or too many.
-  constexpr bool join(column_group& one, const column_group& other, bool adds) const {
-    column_group both{one.columns, one.filled};
-    both.columns.append(other.columns);
-    for (int i = 0; i < n_; ++i)
-      if (other.filled[i] != 0) both.filled[i] = 1;
-    fill(both);
-    const int apart = one.steps * one.columns.size() + other.steps * other.columns.size(),
-              together = both.steps * both.columns.size();
-    if (together > apart + (adds ? apart / fewest_per_added : 0)) return false;
-    one = both;
-    return true;
   }
 
   constexpr void solve_group(const matrix& right, const sequence<int>& group, int factors, matrix& x) const {
