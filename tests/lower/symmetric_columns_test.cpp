@@ -47,10 +47,11 @@ constexpr lower::tape solutions(int columns, unsigned seed, way by) {
       if (chance() >= zeros) right(i, j) = next();
   }
   right(0, 1) = right(0, 0); // an entry of two columns
+  for (int j = 3; j < columns; j += 4) right(order - 1, j) = 1 / m(order - 1, order - 1); // also a factor
   right(1, 1) = {g, symbolic::graph::one};
-  const symbolic::symmetric_factorization factors(g, m);
   const auto solve = [&](const symbolic::matrix& b, const base::sequence<int>& which,
                          symbolic::matrix& into) {
+    const symbolic::symmetric_factorization factors(g, m);
     if (by != way::apart) {
       factors.solve_together(b, which, into);
       return;
@@ -63,6 +64,7 @@ constexpr lower::tape solutions(int columns, unsigned seed, way by) {
     }
   };
   solve(right, all, x);
+  m(0, 0) = next(), m(order - 1, order - 1) = next();
   symbolic::matrix more(g, order, columns), y(g, order, columns);
   for (int i = 0; i < order; ++i) more(i, 0) = x(i, 2) * x(i, 3);
   for (int i = 0; i < order; ++i) more(i, 1) = x(i, 2) + right(i, 2);

@@ -178,8 +178,8 @@ private:
     found_.place = static_cast<sequence<int>&&>(places);
   }
 
-  /// Gives places to the columns of symmetric systems. Entries of right-hand sides that nothing else needs
-  /// afterwards are computed in place.
+  /// Gives places to the columns of symmetric systems. Entries of right-hand sides are computed in place
+  /// unless something else needs them while, or after, the system is solved.
   constexpr void assign_columns(int* place) {
     found_.columns.resize(tape_.linear_steps.size(), cuts::none);
     for (int i = 0; i < tape_.linear_steps.size(); ++i) {
@@ -194,11 +194,14 @@ private:
     for (const linear_step& e : tape_.linear_steps) {
       if (e.op != operation::symmetric_solve) continue;
       const int right = e.operands + numeric::symmetric_factors{e.order}.size();
+      for (int i = e.operands; i < right; ++i)
+        last_use_[tape_.operands[i]] += 1; // a factor is read for each column
       for (int k = 0; k < e.outputs(); ++k) {
         const int slot = tape_.operands[right + k];
         if (slot >= first_step_ && place[slot] == cuts::none && last_use_[slot] == e.step)
           place[slot] = place[first_step_ + e.step + k];
       }
+      for (int i = e.operands; i < right; ++i) last_use_[tape_.operands[i]] -= 1;
     }
   }
 
