@@ -264,7 +264,10 @@ private:
   template <class Number, int first, int rows, int columns, class Done, class Matrix>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m) noexcept {
     constexpr bool with_zeros = has_many_zeros(first, rows * columns);
-    if constexpr (with_zeros) m.setZero();
+    if constexpr (with_zeros) {
+      const Number zero = lower::scalar_math<Number>::from(0);
+      for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = zero;
+    }
     fill<Number, first, columns, with_zeros>(done, m, std::make_integer_sequence<int, rows * columns>{});
   }
 
