@@ -134,6 +134,8 @@ constexpr extracted_code code_for() {
     return extracted_code(stages_of<System>::equations.mistake);
   } else if constexpr (stage_for(all) == stage::equations) {
     return extract_code(System::record, stages_of<System>::equations.stored, type_name<System>(), known, all);
+  } else if constexpr (static_cast<bool>(stages_of<System>::linearized.mistake)) {
+    return extracted_code(stages_of<System>::linearized.mistake);
   } else {
     return extract_code(System::record, stages_of<System>::linearized.stored, type_name<System>(), known,
                         all);
