@@ -54,9 +54,9 @@ TEST(run_time, names_parts_of_long_expressions) {
 #include <docs/guide/run-time/parts.cpp>
   const std::string text = here.text();
   EXPECT_TRUE(text.starts_with("u' = [z6              ]\n     [z4*z5 - z3*z6*z5]\nwhere\n"
-                               "  z1 = d2*m2*cos(q1 + q2)\n  z2 = d2*m2*sin(q1 + q2)\n"
-                               "  z3 = l1*sin(q1)*z2 + l1*cos(q1)*z1\n"
-                               "  z4 = T2 - c2*(u2 - u1) - l1*u1^2*cos(q1)*z2 - z1*(g - l1*u1^2*sin(q1))\n"
+                               "  z1 = d2*m2*sin(q1 + q2)\n  z2 = d2*m2*cos(q1 + q2)\n"
+                               "  z3 = l1*sin(q1)*z1 + l1*cos(q1)*z2\n"
+                               "  z4 = T2 - c2*(u2 - u1) - l1*u1^2*cos(q1)*z1 - z2*(g - l1*u1^2*sin(q1))\n"
                                "  z5 = 1/(I2 + d2^2*m2)\n  z6 = "))
       << text;
 }

@@ -102,14 +102,15 @@ public:
     if (mass_.rows != 0) return mass_;
     const symbolic::matrix &free = free_mass(), &on_independent = dependent().on_independent;
     mass_ = reduced_mass(*m_.g, free, speeds_, on_independent, coupling());
-    force_ = formed_force();
+    if (force_.empty()) force_ = formed_force();
     if (has_sines_in_components(m_, loads_)) gather_mass_and_force();
-    factor_mass_and_force();
+    if (!is_too_long()) factor_mass_and_force();
     return mass_;
   }
 
   /// f in M u̇ = f for the independent speeds.
   constexpr const sequence<expression>& force() {
+    if (force_.empty() && is_too_long()) force_ = formed_force();
     if (force_.empty()) mass();
     return force_;
   }
@@ -139,9 +140,7 @@ public:
     if (!is_tree() || form.speeds == internal_speeds::absolute || has_sines_in_components(m_, loads_))
       return false;
     const bool is_given = form.solved_by == solution::articulated_bodies;
-    const bool is_long =
-        form.solved_by == solution::cheapest && is_too_long_for_elimination(s_, form.weights);
-    if (!is_given && !is_long) return false;
+    if (!is_given && (form.solved_by != solution::cheapest || !is_too_long())) return false;
     const sequence<expression>& f = force();
     symbolic::symmetric_solution solved = articulated_bodies(s_).solve(f);
     if (is_given || costs_less_than_elimination(s_, solved, f, form.weights))
@@ -257,6 +256,16 @@ public:
   }
 
 private:
+  /// Whether M is never worth its cost: whatever its entries are, or because a model with many speeds states
+  /// articulated bodies. f then has no parts in common with it.
+  constexpr bool is_too_long() const {
+    constexpr int many = 16;
+    if (!is_tree() || has_sines_in_components(m_, loads_)) return false;
+    const formulation& form = m_.formulated;
+    if (form.solved_by == solution::articulated_bodies) return s_.model->speeds_of_motion() >= many;
+    return is_too_long_for_elimination(s_, form.weights);
+  }
+
   /// u̇ of the independent speeds, in the form that the model determines, otherwise in the cheapest one.
   constexpr symbolic::symmetric_solution solved_for_accelerations() {
     if (solves_without_mass()) {
