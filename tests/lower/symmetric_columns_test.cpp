@@ -125,7 +125,9 @@ void check_columns() {
   static_assert(together::tape.sizes.steps < written::tape.sizes.steps);
   // written out, equal operations of several columns are shared
   EXPECT_GE(together::tape.cost.multiplications, written::tape.cost.multiplications);
-  if (seed == seed_in_pieces) EXPECT_GT(lower::cuts_of<together>::value.pieces, 5);
+  if (seed == seed_in_pieces) {
+    EXPECT_GT(lower::cuts_of<together>::value.pieces, 5);
+  }
   runtime::interpreter<double, lower::tape_view> interpreted{lower::tape_view(together::tape)};
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
