@@ -27,15 +27,15 @@ struct step_plan {
   static constexpr int behind = tape.sizes.first_angle + 2 * tape.sizes.angles; ///< the angles
 
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
-  static constexpr std::size_t slots = at_least_one(tape.slot_count());
+  static constexpr std::size_t room = at_least_one(tape.slot_count());
 
-  int place[slots]{};                          ///< of each slot of the tape, in the order of filling
+  int place[room]{};                           ///< of each slot of the tape, in the order of filling
   int early[at_least_one(tape.sizes.loads)]{}; ///< the arguments that are read first
   int early_count = 0;
-  int what[slots]{};          ///< the action of each entry: of what follows the angles
-  int a[slots]{}, b[slots]{}; ///< the places of its operands
-  int step[slots]{};          ///< the step that it is; none for an argument
-  int aside[slots]{};         ///< its scratch memory
+  int what[room]{};         ///< the action of each entry: of what follows the angles
+  int a[room]{}, b[room]{}; ///< the places of its operands
+  int step[room]{};         ///< the step that it is; none for an argument
+  int aside[room]{};        ///< its scratch memory
   int entries = 0, aside_count = 0;
   int operands[at_least_one(tape.sizes.operands)]{}; ///< of the linear steps: places
   static constexpr int none = -1;
@@ -104,7 +104,7 @@ private:
     add(e.step, first_linear_step - index);
   }
 
-  bool is_late[slots]{};
+  bool is_late[room]{};
 };
 
 } // namespace kanexpr::lower

@@ -5,8 +5,6 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
-#include <limits>
-
 namespace kanexpr::symbolic {
 
 /// The replacement of a symbol: a number, or an expression in the remaining symbols.
@@ -37,7 +35,8 @@ public:
   }
 
 private:
-  static constexpr int unknown = 0; ///< images are stored as one more than their node
+  static constexpr int unknown = 0;            ///< images are stored as one more than their node
+  static constexpr int unvisited = 0x7fffffff; ///< no node was replaced
 
   constexpr void make_room() {
     if (images_.size() >= graph_.size()) return;
@@ -79,9 +78,9 @@ private:
   graph& graph_;
   base::zeros<int> images_{};
   base::zeros<char> changes_{};
-  int* image_ = nullptr;                          ///< by node
-  char* change_ = nullptr;                        ///< by node: whether it depends on a replaced one
-  int visited_ = std::numeric_limits<int>::max(); ///< no earlier node was replaced
+  int* image_ = nullptr;    ///< by node
+  char* change_ = nullptr;  ///< by node: whether it depends on a replaced one
+  int visited_ = unvisited; ///< no earlier node was replaced
 };
 
 } // namespace kanexpr::symbolic
