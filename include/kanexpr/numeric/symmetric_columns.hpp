@@ -64,8 +64,9 @@ struct column_steps {
 template <class Number>
 constexpr void solve_column(const column_steps& steps, const Number* factors, Number* x, int stride) {
   for (const column_step& s : steps.all) {
-    Number& to = x[s.to * stride];
-    const Number& from = x[s.from * stride];
+    const int target = s.to * stride, source = s.from * stride;
+    Number& to = x[target];
+    const Number& from = x[source];
     if (s.is_pivot())
       to = Number(from * factors[s.factor]);
     else if (s.fills)

@@ -144,14 +144,16 @@ private:
   }
 
   constexpr void make_room() {
-    rates_.grow(__builtin_is_constant_evaluated() ? base::zeros<int>::room : 2 * graph_->size());
+    constexpr int room = base::zeros<int>::room;
+    rates_.grow(__builtin_is_constant_evaluated() && graph_->size() < room ? room : 2 * graph_->size());
     rate_of_ = rates_.begin();
     room_ = rates_.size();
   }
 
   constexpr int of(int id) {
     if (id < room_ && rate_of_[id] != unknown) return rate_of_[id] - 1;
-    if (id < marked_ && (marks_[id * stride_] & mark_) == 0) return graph::zero;
+    const int marks = id * stride_;
+    if (id < marked_ && (marks_[marks] & mark_) == 0) return graph::zero;
     graph& g = *graph_;
     const node n = g.begin()[id];
     if (n.op <= operation::symbol) return graph::zero; // a leaf

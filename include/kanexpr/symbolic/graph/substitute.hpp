@@ -55,10 +55,8 @@ private:
     for (; visited_ <= last; ++visited_) {
       const node& n = nodes[visited_];
       if (n.op <= operation::symbol) continue; // a leaf
-      if (changes[n.a] != 0)
-        changes[visited_] = 1;
-      else if (n.op > operation::negate && (n.op <= operation::power || is_binary(n.op)) && changes[n.b] != 0)
-        changes[visited_] = 1;
+      const bool has_second = n.op > operation::negate && (n.op <= operation::power || is_binary(n.op));
+      if (changes[n.a] != 0 || (has_second && changes[n.b] != 0)) changes[visited_] = 1;
     }
   }
 
