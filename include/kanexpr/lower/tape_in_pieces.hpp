@@ -3,6 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/cuts.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/lower/lockstep_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/lower/vector_columns.hpp>
@@ -18,6 +19,7 @@ namespace kanexpr::lower {
 struct lengths {
   int longest_uncut = 30000; ///< of a tape that is expanded in one function
   int piece = 1500;
+  int shortest_in_lockstep = 2000; ///< of a tape in which equal branches are looked for
 };
 
 /// The lengths for a tape that is a constant of the type `Code`; it may be specialized.
@@ -76,6 +78,19 @@ class cuts_of {
 public:
   static constexpr arrays value{};
 };
+
+/// Whether the steps before the first symmetric system run in lockstep for equal branches: if they are many,
+/// and the target has vectors with a lane for each branch.
+template <class Code, class Number>
+inline constexpr bool runs_in_lockstep = [] {
+  if constexpr (Code::tape.sizes.steps < lengths_of<Code>.shortest_in_lockstep ||
+                lanes_for_columns<Number>() < 2) {
+    return false;
+  } else {
+    constexpr int lanes = lockstep_plan<Code, cuts_of<Code>>::value.lanes;
+    return lanes != 0 && lanes <= lanes_for_columns<Number>();
+  }
+}();
 
 /// The first step of a piece, its first inputs, and its sizes.
 struct piece_extent {
@@ -207,6 +222,8 @@ private:
   [[gnu::noinline]] static void piece(Number* memory) noexcept {
     if constexpr (solved_by(index) >= 0)
       vector_columns<Code, solved_by(index), Number, slot_places>::run(memory);
+    else if constexpr (index == 0 && runs_in_lockstep<Code, Number>)
+      lockstep_tape<Code, cuts_of<Code>, Number>::run_in(memory);
     else
       unrolled_tape<piece_code<Code, index>, Number>::run_in(memory);
   }

@@ -1,0 +1,258 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
+#include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/lower/lockstep.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <cstddef>
+
+namespace kanexpr::lower {
+
+/// How an operand is read: one lane of a vector, a scalar, or all lanes; a scalar is the same in all lanes.
+struct operand_form {
+  int lane = scalar;
+  bool is_minus = false;
+
+  static constexpr int scalar = 4, whole = 5;
+};
+
+/// What fills an entry, encoded as a number, so that all entries with the same action share one function.
+struct lockstep_action {
+  enum class kind { argument, value, vector, gather };
+
+  kind is = kind::argument;
+  operation op = operation::constant; ///< a change of sign stands for a value that is only stored
+  operand_form a{}, b{};
+  int minus_a = 0, minus_b = 0; ///< of a vector: the lanes in which an operand changes its sign
+  bool is_kept = false;         ///< whether the value is stored in memory
+
+  constexpr int code() const {
+    const int forms = a.lane + 8 * b.lane + 64 * (a.is_minus ? 1 : 0) + 128 * (b.is_minus ? 1 : 0);
+    return static_cast<int>(is) + 4 * (static_cast<int>(op) + 64 * (forms + 256 * (minus_a + 16 * minus_b))) +
+           (is_kept ? 1 << 28 : 0);
+  }
+  static constexpr lockstep_action of(int code) {
+    const auto next = [&](int values) {
+      const int value = code % values;
+      code /= values;
+      return value;
+    };
+    lockstep_action read;
+    read.is = static_cast<kind>(next(4));
+    read.op = static_cast<operation>(next(64));
+    read.a.lane = next(8), read.b.lane = next(8);
+    read.a.is_minus = next(2) != 0, read.b.is_minus = next(2) != 0;
+    read.minus_a = next(16), read.minus_b = next(16);
+    read.is_kept = code != 0;
+    return read;
+  }
+};
+
+/// The entries of a function that evaluates bundles of steps in lockstep and the other steps one by one. The
+/// numbers, the early arguments, the first steps and the angles precede them.
+struct lockstep_entries {
+  sequence<int> early{};                     ///< the arguments that the first steps need
+  sequence<int> action{}, place{};           ///< of each entry; places in memory
+  sequence<int> a{}, b{}, c{}, d{};          ///< the entries of the operands; a gathered vector has four
+  int operations = 0, vector_operations = 0; ///< how many entries are operations, and how many of all lanes
+};
+
+namespace detail {
+
+/// Orders the steps before `end` and the bundles: each follows its operands, and otherwise the order of the
+/// tape is kept. A bundle comes when its first step is needed.
+class lockstep_order {
+public:
+  /// `place` has the place in memory of each slot, -1 if the value is not stored.
+  constexpr lockstep_order(const tape_view& t, const lockstep& l, int given, int end, const int* place)
+      : tape_(t), l_(l), numbers_(t.numbers.size()), first_(t.first_step()), given_(given), end_(end),
+        place_(place), entry_of_(first_ + end, none), entry_of_bundle_(l.count() + 1, none) {}
+  lockstep_order(const lockstep_order&) = delete;
+  lockstep_order& operator=(const lockstep_order&) = delete;
+
+  constexpr lockstep_entries run() {
+    place_given();
+    for (int slot = first_ + given_; slot < first_ + end_; ++slot) {
+      const bool is_sign = op_of(slot) == operation::negate;
+      if (is_sign && place_[slot] == none) continue;
+      complete(is_sign ? task_of(l_.root[slot]) : task_of(slot));
+      if (is_sign) keep(slot);
+    }
+    return static_cast<lockstep_entries&&>(out_);
+  }
+
+private:
+  static constexpr int none = -1;
+  using kind = lockstep_action::kind;
+
+  constexpr operation op_of(int slot) const { return tape_.steps.op[slot - first_]; }
+  constexpr bool is_given(int slot) const { return slot < first_ + given_; }
+
+  constexpr void place_given() {
+    for (int i = 0; i < numbers_; ++i) entry_of_[i] = i;
+    sequence<char> is_early(tape_.loads.size() + 1, 0);
+    for (int i = 0; i < given_; ++i) {
+      for (int slot : {tape_.steps.a[i], tape_.steps.b[i]})
+        if (slot >= numbers_ && slot < first_) is_early[slot - numbers_] = 1;
+    }
+    for (int i = 0; i < tape_.loads.size(); ++i) {
+      if (is_early[i] == 0) continue;
+      entry_of_[numbers_ + i] = numbers_ + out_.early.size();
+      out_.early.push(i);
+    }
+    first_entry_ = numbers_ + out_.early.size() + given_;
+    for (int i = 0; i < given_; ++i) entry_of_[first_ + i] = numbers_ + out_.early.size() + i;
+  }
+
+  // A task is a slot that has an entry of its own, or a bundle, counted from the number of slots.
+
+  constexpr int task_of(int slot) const {
+    return slot < first_ || is_given(slot) || l_.bundles[slot] == 0 ? slot : task_of_bundle(slot);
+  }
+  constexpr int task_of_bundle(int slot) const { return first_ + end_ + l_.bundles[slot] - 1; }
+  constexpr bool is_done(int task) const {
+    return task < first_ + end_ ? entry_of_[task] != none : entry_of_bundle_[task - first_ - end_] != none;
+  }
+
+  constexpr void complete(int wanted) {
+    sequence<int> open{wanted};
+    while (!open.empty()) {
+      const int task = open.back(), before = open.size();
+      if (!is_done(task)) push_operands(task, open);
+      if (open.size() != before) continue;
+      open.pop();
+      if (is_done(task)) continue;
+      if (task < first_ + end_)
+        add_scalar(task);
+      else
+        add_bundle(task - first_ - end_);
+    }
+  }
+
+  constexpr void push_operands(int task, sequence<int>& open) const {
+    const auto need = [&](int operand) {
+      if (!is_done(operand)) open.push(operand);
+    };
+    if (task < first_) return;
+    if (task < first_ + end_) {
+      const signed_step s = l_.step_of(tape_, task);
+      need(task_of(s.a));
+      if (s.b != none) need(task_of(s.b));
+      return;
+    }
+    const int* const slots = l_.members.begin() + (task - first_ - end_) * l_.lanes;
+    if (slots[0] < first_ || is_given(slots[0])) {
+      for (int k = 0; k < l_.lanes; ++k) need(slots[k]);
+      return;
+    }
+    const signed_step s = l_.step_of(tape_, slots[0]), next = l_.step_of(tape_, slots[1]);
+    need(is_whole(s.a, next.a) ? task_of_bundle(s.a) : task_of(s.a));
+    need(is_whole(s.b, next.b) ? task_of_bundle(s.b) : task_of(s.b));
+  }
+
+  /// Whether an operand of a bundle is another bundle.
+  constexpr bool is_whole(int slot, int next) const {
+    const int bundle = l_.bundles[slot];
+    return bundle != 0 && l_.lane[slot] == 0 && l_.members[(bundle - 1) * l_.lanes + 1] == next;
+  }
+
+  constexpr int add(const lockstep_action& action, int a, int b = 0, int c = 0, int d = 0, int place = 0) {
+    out_.place.push(place);
+    out_.a.push(a), out_.b.push(b), out_.c.push(c), out_.d.push(d);
+    return first_entry_ + out_.action.push(action.code());
+  }
+
+  struct operand {
+    int entry = 0;
+    operand_form form{};
+  };
+  constexpr operand scalar(int slot, bool minus) const {
+    if (entry_of_[slot] != none) return {entry_of_[slot], {operand_form::scalar, minus}};
+    return {entry_of_bundle_[l_.bundles[slot] - 1], {l_.lane[slot], minus != (l_.minus[slot] != 0)}};
+  }
+
+  constexpr void add_scalar(int slot) {
+    if (slot < first_) {
+      entry_of_[slot] = add({kind::argument}, 0, 0, 0, 0, place_[slot]);
+      return;
+    }
+    const signed_step s = l_.step_of(tape_, slot);
+    const operand a = scalar(s.a, s.minus_a), b = s.b == none ? operand{} : scalar(s.b, s.minus_b);
+    const bool is_kept = place_[slot] != none;
+    entry_of_[slot] = add({kind::value, s.op, a.form, b.form, 0, 0, is_kept}, a.entry, b.entry, 0, 0,
+                          is_kept ? place_[slot] : 0);
+    ++out_.operations;
+  }
+
+  /// Stores a value that is the root of a slot or minus that.
+  constexpr void keep(int slot) {
+    const operand a = scalar(l_.root[slot], l_.negated[slot] != 0);
+    add({kind::value, operation::negate, {a.form.lane, !a.form.is_minus}, {}, 0, 0, true}, a.entry, 0, 0, 0,
+        place_[slot]);
+  }
+
+  constexpr void add_bundle(int bundle) {
+    const int* const slots = l_.members.begin() + bundle * l_.lanes;
+    if (slots[0] < first_ || is_given(slots[0])) {
+      entry_of_bundle_[bundle] = gather(slots, 0);
+      return;
+    }
+    signed_step s[4];
+    int minus_a = 0, minus_b = 0;
+    for (int k = 0; k < l_.lanes; ++k) {
+      s[k] = l_.step_of(tape_, slots[k]);
+      const bool a = s[k].minus_a != is_minus(s[0].a, s[k].a), b = s[k].minus_b != is_minus(s[0].b, s[k].b);
+      const bool all = l_.minus[slots[k]] != 0;
+      if (s[0].op == operation::add) {
+        minus_a |= (a != all ? 1 : 0) << k;
+        minus_b |= (b != all ? 1 : 0) << k;
+      } else {
+        (s[0].b < numbers_ ? minus_b : minus_a) |= ((a != b) != all ? 1 : 0) << k;
+      }
+    }
+    int first[4]{}, second[4]{};
+    for (int k = 0; k < l_.lanes; ++k) first[k] = s[k].a, second[k] = s[k].b;
+    const operand a = vector_operand(first, minus_a), b = vector_operand(second, minus_b);
+    entry_of_bundle_[bundle] =
+        add({kind::vector, s[0].op, a.form, b.form, minus_a, minus_b, false}, a.entry, b.entry);
+    ++out_.operations;
+    ++out_.vector_operations;
+    for (int k = 0; k < l_.lanes; ++k)
+      if (place_[slots[k]] != none)
+        add({kind::value, operation::negate, {k, l_.minus[slots[k]] == 0}, {}, 0, 0, true},
+            entry_of_bundle_[bundle], 0, 0, 0, place_[slots[k]]);
+  }
+
+  constexpr bool is_minus(int first, int slot) const { return l_.bundles[first] != 0 && l_.minus[slot] != 0; }
+
+  /// Numbers that differ are gathered with their signs.
+  constexpr operand vector_operand(const int* slots, int& minus) {
+    if (slots[0] >= numbers_) {
+      if (is_whole(slots[0], slots[1]))
+        return {entry_of_bundle_[l_.bundles[slots[0]] - 1], {operand_form::whole}};
+      return scalar(slots[0], false);
+    }
+    const int gathered = gather(slots, minus);
+    minus = 0;
+    return {gathered, {operand_form::whole}};
+  }
+
+  constexpr int gather(const int* slots, int minus) {
+    int all[4]{};
+    for (int k = 0; k < l_.lanes; ++k) all[k] = entry_of_[slots[k]];
+    return add({kind::gather, operation::constant, {}, {}, minus, 0, false}, all[0], all[1], all[2], all[3]);
+  }
+
+  const tape_view& tape_;
+  const lockstep& l_;
+  int numbers_, first_, given_, end_, first_entry_ = 0;
+  const int* place_;
+  sequence<int> entry_of_, entry_of_bundle_;
+  lockstep_entries out_{};
+};
+
+} // namespace detail
+
+} // namespace kanexpr::lower
