@@ -26,7 +26,7 @@ namespace detail {
 /// coordinates and speeds of a branch are those on which its equations depend, but not those of the others.
 class branch_search {
 public:
-  constexpr explicit branch_search(const tape_view& t) : tape_(t) {}
+  constexpr branch_search(const tape_view& t, int most_lanes) : tape_(t), most_lanes_(most_lanes) {}
   branch_search(const branch_search&) = delete;
   branch_search& operator=(const branch_search&) = delete;
 
@@ -40,7 +40,7 @@ public:
     int largest = 0;
     for (const sequence<int>& each : classes_)
       if (largest < each.size()) largest = each.size();
-    found_.count = largest >= 4 ? 4 : 2;
+    found_.count = largest >= 4 && most_lanes_ >= 4 ? 4 : 2;
     if (largest < 2 || !find_dependencies()) return {};
     for (const sequence<int>& each : classes_)
       for (int first = 0; first + found_.count <= each.size(); first += found_.count) add(each, first);
@@ -173,6 +173,7 @@ private:
   static constexpr int most = 64;
 
   const tape_view& tape_;
+  int most_lanes_;
   sequence<linear_step> systems_{};
   int order_ = 0;
   sequence<int> parent_{}; ///< of each unknown
@@ -186,7 +187,10 @@ private:
 
 } // namespace detail
 
-/// The equal branches of the mechanism whose mass matrix a tape solves with.
-constexpr equal_branches equal_branches_of(const tape_view& t) { return detail::branch_search(t).run(); }
+/// The equal branches of the mechanism whose mass matrix a tape solves with, for vectors of at most so many
+/// lanes, at least 2.
+constexpr equal_branches equal_branches_of(const tape_view& t, int most_lanes) {
+  return detail::branch_search(t, most_lanes).run();
+}
 
 } // namespace kanexpr::lower

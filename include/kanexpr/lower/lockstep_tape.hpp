@@ -16,7 +16,7 @@ namespace kanexpr::lower {
 
 /// The steps before the first symmetric system, with equal branches in lockstep. `Cuts` is the type whose
 /// constant `value` has the places in memory.
-template <class Code, class Cuts>
+template <class Code, class Cuts, int most_lanes>
 class lockstep_plan {
   static constexpr const auto& tape = Code::tape;
   static constexpr int given = tape.sizes.first_angle + 2 * tape.sizes.angles;
@@ -32,7 +32,7 @@ class lockstep_plan {
       const tape_view view(tape);
       const int end = Cuts::value.first[1];
       if (!is_possible(end)) return;
-      const equal_branches branches = equal_branches_of(view);
+      const equal_branches branches = equal_branches_of(view, most_lanes);
       if (branches.count == 0) return;
       const lockstep found = detail::lockstep_search(view, branches, given, end).run();
       if (4 * found.count() * (found.lanes - 1) < end) return; // too few to pay
@@ -66,7 +66,7 @@ public:
 template <class Code, class Cuts, class Number>
 class lockstep_tape {
   static constexpr const auto& tape = Code::tape;
-  static constexpr const auto& plan = lockstep_plan<Code, Cuts>::value;
+  static constexpr const auto& plan = lockstep_plan<Code, Cuts, lanes_for_columns<Number>()>::value;
   static constexpr int lanes = plan.lanes;
   using vector = typename number_vector<Number, lanes>::type;
 

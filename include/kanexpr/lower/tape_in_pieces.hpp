@@ -87,8 +87,7 @@ inline constexpr bool runs_in_lockstep = [] {
                 lanes_for_columns<Number>() < 2) {
     return false;
   } else {
-    constexpr int lanes = lockstep_plan<Code, cuts_of<Code>>::value.lanes;
-    return lanes != 0 && lanes <= lanes_for_columns<Number>();
+    return lockstep_plan<Code, cuts_of<Code>, lanes_for_columns<Number>()>::value.lanes != 0;
   }
 }();
 
