@@ -132,14 +132,14 @@ private:
   }
 
   constexpr void push_operands(int task, sequence<int>& open) const {
-    const auto need = [&](int operand) {
-      if (!is_done(operand)) open.push(operand);
+    const auto need = [&](int other) {
+      if (!is_done(other)) open.push(other);
     };
     if (task < first_) return;
     if (task < first_ + end_) {
       const signed_step s = l_.step_of(tape_, task);
       need(task_of(s.a));
-      if (s.b != none) need(task_of(s.b));
+      need(task_of(s.b));
       return;
     }
     const int* const slots = l_.members.begin() + (task - first_ - end_) * l_.lanes;
@@ -179,7 +179,7 @@ private:
       return;
     }
     const signed_step s = l_.step_of(tape_, slot);
-    const operand a = scalar(s.a, s.minus_a), b = s.b == none ? operand{} : scalar(s.b, s.minus_b);
+    const operand a = scalar(s.a, s.minus_a), b = scalar(s.b, s.minus_b);
     const bool is_kept = place_[slot] != none;
     entry_of_[slot] = add({kind::value, s.op, a.form, b.form, 0, 0, is_kept}, a.entry, b.entry, 0, 0,
                           is_kept ? place_[slot] : 0);
