@@ -50,10 +50,10 @@ namespace detail {
 /// directly because compilers interpret every call.
 class lockstep_search {
 public:
-  /// Only the steps before `end` are examined, of which the first `given` are computed for all lanes apart.
-  constexpr lockstep_search(const tape_view& t, const equal_branches& branches, int given, int end)
-      : tape_(t), numbers_(t.numbers.size()), first_(t.first_step()), given_(given), end_(end),
-        lanes_(branches.count), op_(t.steps.op) {
+  /// Only the steps before `end` are examined.
+  constexpr lockstep_search(const tape_view& t, const equal_branches& branches, int end)
+      : tape_(t), numbers_(t.numbers.size()), first_(t.first_step()), end_(end), lanes_(branches.count),
+        op_(t.steps.op) {
     const int slots = first_ + end;
     found_.lanes = lanes_;
     found_.bundles.grow(slots), found_.lane.grow(slots), found_.minus.grow(slots), found_.root.grow(slots);
@@ -76,7 +76,7 @@ public:
       const operation op = op_[slot - first_];
       if (op >= operation::add && op <= operation::divide)
         match(slot, true);
-      else if (slot < first_ + given_ && (op == operation::sin || op == operation::cos))
+      else if (symbolic::is_function(op) && !symbolic::is_binary(op))
         match(slot, false);
     }
     return static_cast<lockstep&&>(found_);
@@ -254,7 +254,7 @@ private:
   }
 
   const tape_view& tape_;
-  int numbers_, first_, given_, end_, lanes_;
+  int numbers_, first_, end_, lanes_;
   const operation* op_;
   lockstep found_{};
   base::zeros<int> depths_{}, first_users_{}, all_users_{};

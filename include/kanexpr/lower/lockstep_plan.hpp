@@ -88,7 +88,10 @@ private:
   using kind = lockstep_action::kind;
 
   constexpr operation op_of(int slot) const { return tape_.steps.op[slot - first_]; }
-  constexpr bool is_given(int slot) const { return slot < first_ + given_; }
+  /// Whether the lanes of a bundle are computed apart: arguments, what is given, and functions.
+  constexpr bool is_apart(int slot) const {
+    return slot < first_ + given_ || op_of(slot) > operation::divide;
+  }
 
   constexpr void place_given() {
     for (int i = 0; i < numbers_; ++i) entry_of_[i] = i;
@@ -109,7 +112,7 @@ private:
   // A task is a slot that has an entry of its own, or a bundle, counted from the number of slots.
 
   constexpr int task_of(int slot) const {
-    return slot < first_ || is_given(slot) || l_.bundles[slot] == 0 ? slot : task_of_bundle(slot);
+    return is_apart(slot) || l_.bundles[slot] == 0 ? slot : task_of_bundle(slot);
   }
   constexpr int task_of_bundle(int slot) const { return first_ + end_ + l_.bundles[slot] - 1; }
   constexpr bool is_done(int task) const {
@@ -143,7 +146,7 @@ private:
       return;
     }
     const int* const slots = l_.members.begin() + (task - first_ - end_) * l_.lanes;
-    if (slots[0] < first_ || is_given(slots[0])) {
+    if (is_apart(slots[0])) {
       for (int k = 0; k < l_.lanes; ++k) need(slots[k]);
       return;
     }
@@ -195,7 +198,7 @@ private:
 
   constexpr void add_bundle(int bundle) {
     const int* const slots = l_.members.begin() + bundle * l_.lanes;
-    if (slots[0] < first_ || is_given(slots[0])) {
+    if (is_apart(slots[0])) {
       entry_of_bundle_[bundle] = gather(slots, 0);
       return;
     }
