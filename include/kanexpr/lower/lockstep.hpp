@@ -44,7 +44,7 @@ struct lockstep {
 namespace detail {
 
 /// Finds the steps that have the same operands in each of several equal branches, beginning with their
-/// arguments. Operands outside the branches are the same for all lanes; numbers may differ.
+/// arguments. Operands outside the branches may differ, as numbers do, but are the same if possible.
 ///
 /// All steps of a bundle have the same depth, so that no bundle depends on itself. The code accesses arrays
 /// directly because compilers interpret every call.
@@ -58,10 +58,11 @@ public:
     found_.lanes = lanes_;
     found_.bundles.grow(slots), found_.lane.grow(slots), found_.minus.grow(slots), found_.root.grow(slots);
     found_.negated.grow(slots), found_.a.grow(slots), found_.b.grow(slots), found_.minus_a.grow(slots);
-    found_.minus_b.grow(slots), depths_.grow(slots);
+    found_.minus_b.grow(slots), depths_.grow(slots), depend_on_branches_.grow(slots);
     bundle_ = found_.bundles.begin(), lane_ = found_.lane.begin(), minus_ = found_.minus.begin();
     root_ = found_.root.begin(), a_ = found_.a.begin(), b_ = found_.b.begin();
     minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin(), depth_ = depths_.begin();
+    inside_ = depend_on_branches_.begin();
     for (int first = 0; first < branches.arguments.size(); first += lanes_)
       add_bundle(branches.arguments.begin() + first);
   }
@@ -84,11 +85,17 @@ public:
 
 private:
   static constexpr int none = -1, any_number = -2, any_input = -3, most_lanes = 4;
+  /// How well a step corresponds: another one may be better than a value from outside in its lane, or than a
+  /// change of sign that requires a product.
+  enum fit { different, second_choice, equal };
 
   constexpr void find_operands() {
     char* const negated = found_.negated.begin();
     const int *const a = tape_.steps.a, *const b = tape_.steps.b;
-    for (int slot = 0; slot < first_; ++slot) root_[slot] = slot;
+    for (int slot = 0; slot < first_; ++slot) {
+      root_[slot] = slot;
+      if (bundle_[slot] != 0 || is_input(slot)) inside_[slot] = 1;
+    }
     for (int i = 0, slot = first_; i < end_; ++i, ++slot) {
       const operation op = op_[i];
       const bool has_two = op <= operation::divide ? op != operation::negate : symbolic::is_binary(op);
@@ -101,6 +108,7 @@ private:
         root_[slot] = slot;
         depth_[slot] = (depth_[left] > depth_[right] ? depth_[left] : depth_[right]) + 1;
       }
+      if (inside_[left] != 0 || inside_[right] != 0) inside_[slot] = 1;
       a_[slot] = root_[left];
       b_[slot] = root_[right];
       if (negated[left] != 0) minus_a_[slot] = 1;
@@ -164,12 +172,13 @@ private:
     return slot >= numbers_ && slot < first_ &&
            tape_.loads[slot - numbers_].from == symbolic::symbol_kind::input;
   }
-  constexpr bool is_any(int kind, int slot) const {
-    return kind == any_number ? slot < numbers_ : is_input(slot) && bundle_[slot] == 0;
+  constexpr bool is_any(int which, int slot) const {
+    if (which == any_number) return slot < numbers_;
+    if (which == any_input) return is_input(slot) && bundle_[slot] == 0;
+    return inside_[which] == 0 && slot >= numbers_ && inside_[slot] == 0;
   }
 
-  /// Among the users of the anchor, one with the same operands. One whose terms have other signs is only the
-  /// second choice, because it requires a product.
+  /// Among the users of the anchor, the one whose operands correspond best.
   constexpr int counterpart(int slot, bool has_two, int anchor, int k, bool& exchanged) const {
     const int a = wanted(a_[slot], k), b = wanted(b_[slot], k), depth = depth_[slot];
     const operation op = op_[slot - first_];
@@ -182,37 +191,41 @@ private:
       if (of_other != op && (!is_sum || (of_other != operation::add && of_other != operation::subtract)))
         continue;
       const int left = a_[other], right = b_[other];
-      if ((a >= 0 ? left == a : is_any(a, left)) && (b >= 0 ? right == b : is_any(b, right))) {
-        if (has_equal_signs(slot, has_two, is_sum, left, right, minus_a_[other] != 0, minus_b_[other] != 0)) {
-          exchanged = false;
-          return other;
-        }
-        if (has_two && second == none) second = other, exchanged = false;
-      }
-      if (op == operation::divide || !has_two) continue;
-      if ((a >= 0 ? right == a : is_any(a, right)) && (b >= 0 ? left == b : is_any(b, left))) {
-        if (has_equal_signs(slot, has_two, is_sum, right, left, minus_b_[other] != 0, minus_a_[other] != 0)) {
-          exchanged = true;
-          return other;
-        }
-        if (second == none) second = other, exchanged = true;
+      for (int turn = 0; turn < (has_two && op != operation::divide ? 2 : 1); ++turn) {
+        const int x = turn == 0 ? left : right, y = turn == 0 ? right : left;
+        if ((a != x && !is_any(a, x)) || (b != y && !is_any(b, y))) continue;
+        const bool minus_x = (turn == 0 ? minus_a_ : minus_b_)[other] != 0,
+                   minus_y = (turn == 0 ? minus_b_ : minus_a_)[other] != 0;
+        const fit how = fit_of(slot, has_two, is_sum, x, y, minus_x, minus_y);
+        if (how == different || (how == second_choice && second != none)) continue;
+        exchanged = turn == 1;
+        if (how == equal) return other;
+        second = other;
       }
     }
     return second;
   }
 
-  /// Whether both operands have the signs of the first lane, or both have not. Factors and numbers may have
-  /// any; functions of negative angles remain outside.
-  constexpr bool has_equal_signs(int slot, bool has_two, bool is_sum, int a, int b, bool minus_a,
-                                 bool minus_b) const {
-    if (!has_two) return changes_sign(a_[slot], minus_a_[slot] != 0, a, minus_a) == false;
-    if (!is_sum || a_[slot] < numbers_ || b_[slot] < numbers_) return true;
+  /// Functions of negative angles remain outside. Otherwise any factor, number or value from outside may have
+  /// any sign, and the signs of both terms should differ from those of the first lane, or none.
+  constexpr fit fit_of(int slot, bool has_two, bool is_sum, int a, int b, bool minus_a, bool minus_b) const {
+    if (!has_two) return changes_sign(a_[slot], minus_a_[slot] != 0, a, minus_a) ? different : equal;
+    if (is_from_outside(a_[slot], a) || is_from_outside(b_[slot], b)) return second_choice;
+    if (!is_sum || a_[slot] < numbers_ || b_[slot] < numbers_) return equal;
     return changes_sign(a_[slot], minus_a_[slot] != 0, a, minus_a) ==
-           changes_sign(b_[slot], minus_b_[slot] != 0, b, minus_b);
+                   changes_sign(b_[slot], minus_b_[slot] != 0, b, minus_b)
+               ? equal
+               : second_choice;
+  }
+  constexpr bool is_from_outside(int own, int other) const {
+    return own != other && own >= numbers_ && inside_[own] == 0;
   }
   /// Whether an operand has another sign than in the first lane, compared with the values in its bundle.
   constexpr bool changes_sign(int own, bool minus_own, int other, bool minus_other) const {
     return minus_own != (bundle_[own] != 0 && minus_[other] != 0 ? !minus_other : minus_other);
+  }
+  constexpr bool has_own_sign(int own, int other) const {
+    return own < numbers_ || is_from_outside(own, other);
   }
 
   /// Puts the operands of a counterpart in order, and finds the sign of its value.
@@ -228,7 +241,9 @@ private:
                b = changes_sign(b_[slot], minus_b_[slot] != 0, b_[other], minus_b_[other] != 0);
     const operation op = op_[slot - first_];
     const bool is_product = op == operation::multiply || op == operation::divide;
-    const bool minus = a_[slot] < numbers_ ? b : b_[slot] < numbers_ || !is_product ? a : a != b;
+    const bool minus = has_own_sign(a_[slot], a_[other])                  ? b
+                       : has_own_sign(b_[slot], b_[other]) || !is_product ? a
+                                                                          : a != b;
     if (minus) minus_[other] = 1;
   }
 
@@ -258,9 +273,10 @@ private:
   const operation* op_;
   lockstep found_{};
   base::zeros<int> depths_{}, first_users_{}, all_users_{};
+  base::zeros<char> depend_on_branches_{};
   int *bundle_ = nullptr, *root_ = nullptr, *a_ = nullptr, *b_ = nullptr, *depth_ = nullptr,
       *first_user_ = nullptr, *user_ = nullptr;
-  char *lane_ = nullptr, *minus_ = nullptr, *minus_a_ = nullptr, *minus_b_ = nullptr;
+  char *inside_ = nullptr, *lane_ = nullptr, *minus_ = nullptr, *minus_a_ = nullptr, *minus_b_ = nullptr;
 };
 
 } // namespace detail

@@ -151,8 +151,13 @@ private:
       return;
     }
     const signed_step s = l_.step_of(tape_, slots[0]), next = l_.step_of(tape_, slots[1]);
-    need(is_whole(s.a, next.a) ? task_of_bundle(s.a) : task_of(s.a));
-    need(is_whole(s.b, next.b) ? task_of_bundle(s.b) : task_of(s.b));
+    if (is_whole(s.a, next.a)) need(task_of_bundle(s.a));
+    if (is_whole(s.b, next.b)) need(task_of_bundle(s.b));
+    for (int k = 0; k < l_.lanes; ++k) {
+      const signed_step each = l_.step_of(tape_, slots[k]);
+      if (!is_whole(s.a, next.a)) need(task_of(each.a));
+      if (!is_whole(s.b, next.b)) need(task_of(each.b));
+    }
   }
 
   /// Whether an operand of a bundle is another bundle.
@@ -203,20 +208,21 @@ private:
       return;
     }
     signed_step s[4];
-    int minus_a = 0, minus_b = 0;
+    int first[4]{}, second[4]{}, minus_a = 0, minus_b = 0;
     for (int k = 0; k < l_.lanes; ++k) {
       s[k] = l_.step_of(tape_, slots[k]);
+      first[k] = s[k].a, second[k] = s[k].b;
+    }
+    for (int k = 0; k < l_.lanes; ++k) {
       const bool a = s[k].minus_a != is_minus(s[0].a, s[k].a), b = s[k].minus_b != is_minus(s[0].b, s[k].b);
       const bool all = l_.minus[slots[k]] != 0;
       if (s[0].op == operation::add) {
         minus_a |= (a != all ? 1 : 0) << k;
         minus_b |= (b != all ? 1 : 0) << k;
       } else {
-        (s[0].b < numbers_ ? minus_b : minus_a) |= ((a != b) != all ? 1 : 0) << k;
+        (is_gathered(second) ? minus_b : minus_a) |= ((a != b) != all ? 1 : 0) << k;
       }
     }
-    int first[4]{}, second[4]{};
-    for (int k = 0; k < l_.lanes; ++k) first[k] = s[k].a, second[k] = s[k].b;
     const operand a = vector_operand(first, minus_a), b = vector_operand(second, minus_b);
     entry_of_bundle_[bundle] =
         add({kind::vector, s[0].op, a.form, b.form, minus_a, minus_b, false}, a.entry, b.entry);
@@ -230,13 +236,19 @@ private:
 
   constexpr bool is_minus(int first, int slot) const { return l_.bundles[first] != 0 && l_.minus[slot] != 0; }
 
-  /// Numbers that differ are gathered with their signs.
+  /// Whether an operand is neither another bundle nor the same value in all lanes.
+  constexpr bool is_gathered(const int* slots) const {
+    if (is_whole(slots[0], slots[1])) return false;
+    bool is_same = slots[0] >= numbers_;
+    for (int k = 1; k < l_.lanes; ++k) is_same = is_same && slots[k] == slots[0];
+    return !is_same;
+  }
+
+  /// What is gathered takes its signs with it.
   constexpr operand vector_operand(const int* slots, int& minus) {
-    if (slots[0] >= numbers_) {
-      if (is_whole(slots[0], slots[1]))
-        return {entry_of_bundle_[l_.bundles[slots[0]] - 1], {operand_form::whole}};
-      return scalar(slots[0], false);
-    }
+    if (is_whole(slots[0], slots[1]))
+      return {entry_of_bundle_[l_.bundles[slots[0]] - 1], {operand_form::whole}};
+    if (!is_gathered(slots)) return scalar(slots[0], false);
     const int gathered = gather(slots, minus);
     minus = 0;
     return {gathered, {operand_form::whole}};
