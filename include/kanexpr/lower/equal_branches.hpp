@@ -73,7 +73,7 @@ private:
   /// Lists the children of an unknown that have the same shape, and examines those below the others.
   constexpr void list_classes(int parent) {
     sequence<int> children;
-    for (int i = 0; i < order_; ++i)
+    for (int i = order_ - 1; i >= 0; --i)
       if (parent_[i] == parent) children.push(i);
     for (int i = 0; i < children.size(); ++i) {
       sequence<int> equal;

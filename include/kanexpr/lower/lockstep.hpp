@@ -46,8 +46,8 @@ namespace detail {
 /// Finds the steps that have the same operands in each of several equal branches, beginning with their
 /// arguments. Operands outside the branches may differ, as numbers do, but are the same if possible.
 ///
-/// All steps of a bundle have the same depth, so that no bundle depends on itself. The code accesses arrays
-/// directly because compilers interpret every call.
+/// A bundle may depend on itself, through a step that depends on several branches; `lockstep_order` dissolves
+/// it. The code accesses arrays directly because compilers interpret every call.
 class lockstep_search {
 public:
   /// Only the steps before `end` are examined.
@@ -58,10 +58,10 @@ public:
     found_.lanes = lanes_;
     found_.bundles.grow(slots), found_.lane.grow(slots), found_.minus.grow(slots), found_.root.grow(slots);
     found_.negated.grow(slots), found_.a.grow(slots), found_.b.grow(slots), found_.minus_a.grow(slots);
-    found_.minus_b.grow(slots), depths_.grow(slots), depend_on_branches_.grow(slots);
+    found_.minus_b.grow(slots), depend_on_branches_.grow(slots);
     bundle_ = found_.bundles.begin(), lane_ = found_.lane.begin(), minus_ = found_.minus.begin();
     root_ = found_.root.begin(), a_ = found_.a.begin(), b_ = found_.b.begin();
-    minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin(), depth_ = depths_.begin();
+    minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin(),
     inside_ = depend_on_branches_.begin();
     for (int first = 0; first < branches.arguments.size(); first += lanes_)
       add_bundle(branches.arguments.begin() + first);
@@ -103,10 +103,8 @@ private:
       if (op == operation::negate) {
         root_[slot] = root_[left];
         if (negated[left] == 0) negated[slot] = 1;
-        depth_[slot] = depth_[left];
       } else {
         root_[slot] = slot;
-        depth_[slot] = (depth_[left] > depth_[right] ? depth_[left] : depth_[right]) + 1;
       }
       if (inside_[left] != 0 || inside_[right] != 0) inside_[slot] = 1;
       a_[slot] = root_[left];
@@ -180,13 +178,13 @@ private:
 
   /// Among the users of the anchor, the one whose operands correspond best.
   constexpr int counterpart(int slot, bool has_two, int anchor, int k, bool& exchanged) const {
-    const int a = wanted(a_[slot], k), b = wanted(b_[slot], k), depth = depth_[slot];
+    const int a = wanted(a_[slot], k), b = wanted(b_[slot], k);
     const operation op = op_[slot - first_];
     const bool is_sum = op == operation::add || op == operation::subtract;
     int second = none;
     for (int at = first_user_[anchor], end = first_user_[anchor + 1]; at < end; ++at) {
       const int other = user_[at];
-      if (bundle_[other] != 0 || depth_[other] != depth) continue;
+      if (bundle_[other] != 0) continue;
       const operation of_other = op_[other - first_];
       if (of_other != op && (!is_sum || (of_other != operation::add && of_other != operation::subtract)))
         continue;
@@ -210,12 +208,18 @@ private:
   /// any sign, and the signs of both terms should differ from those of the first lane, or none.
   constexpr fit fit_of(int slot, bool has_two, bool is_sum, int a, int b, bool minus_a, bool minus_b) const {
     if (!has_two) return changes_sign(a_[slot], minus_a_[slot] != 0, a, minus_a) ? different : equal;
-    if (is_from_outside(a_[slot], a) || is_from_outside(b_[slot], b)) return second_choice;
+    if (differs(a_[slot], a) || differs(b_[slot], b)) return second_choice;
     if (!is_sum || a_[slot] < numbers_ || b_[slot] < numbers_) return equal;
     return changes_sign(a_[slot], minus_a_[slot] != 0, a, minus_a) ==
                    changes_sign(b_[slot], minus_b_[slot] != 0, b, minus_b)
                ? equal
                : second_choice;
+  }
+  /// Whether a number or a value from outside is not the same in both lanes, except for the sign of a number.
+  constexpr bool differs(int own, int other) const {
+    if (own >= numbers_) return is_from_outside(own, other);
+    const symbolic::number &x = tape_.numbers[own], &y = tape_.numbers[other];
+    return own != other && !(x == y) && !(x == -y);
   }
   constexpr bool is_from_outside(int own, int other) const {
     return own != other && own >= numbers_ && inside_[own] == 0;
@@ -272,10 +276,10 @@ private:
   int numbers_, first_, end_, lanes_;
   const operation* op_;
   lockstep found_{};
-  base::zeros<int> depths_{}, first_users_{}, all_users_{};
+  base::zeros<int> first_users_{}, all_users_{};
   base::zeros<char> depend_on_branches_{};
-  int *bundle_ = nullptr, *root_ = nullptr, *a_ = nullptr, *b_ = nullptr, *depth_ = nullptr,
-      *first_user_ = nullptr, *user_ = nullptr;
+  int *bundle_ = nullptr, *root_ = nullptr, *a_ = nullptr, *b_ = nullptr, *first_user_ = nullptr,
+      *user_ = nullptr;
   char *inside_ = nullptr, *lane_ = nullptr, *minus_ = nullptr, *minus_a_ = nullptr, *minus_b_ = nullptr;
 };
 

@@ -66,9 +66,10 @@ namespace detail {
 class lockstep_order {
 public:
   /// `place` has the place in memory of each slot, -1 if the value is not stored.
-  constexpr lockstep_order(const tape_view& t, const lockstep& l, int given, int end, const int* place)
+  constexpr lockstep_order(const tape_view& t, lockstep& l, int given, int end, const int* place)
       : tape_(t), l_(l), numbers_(t.numbers.size()), first_(t.first_step()), given_(given), end_(end),
-        place_(place), entry_of_(first_ + end, none), entry_of_bundle_(l.count() + 1, none) {}
+        place_(place), entry_of_(first_ + end, none), entry_of_bundle_(l.count() + 1, none),
+        is_open_(first_ + end + l.count()) {}
   lockstep_order(const lockstep_order&) = delete;
   lockstep_order& operator=(const lockstep_order&) = delete;
 
@@ -84,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr int none = -1;
+  static constexpr int none = -1, dissolved = -2;
   using kind = lockstep_action::kind;
 
   constexpr operation op_of(int slot) const { return tape_.steps.op[slot - first_]; }
@@ -124,7 +125,11 @@ private:
     while (!open.empty()) {
       const int task = open.back(), before = open.size();
       if (!is_done(task)) push_operands(task, open);
-      if (open.size() != before) continue;
+      if (open.size() != before) {
+        if (is_open_[task] != 0) dissolve_last(open, before);
+        is_open_[task] = 1;
+        continue;
+      }
       open.pop();
       if (is_done(task)) continue;
       if (task < first_ + end_)
@@ -132,6 +137,18 @@ private:
       else
         add_bundle(task - first_ - end_);
     }
+  }
+
+  /// Dissolves the last bundle that was opened, because it waits for itself.
+  constexpr void dissolve_last(sequence<int>& open, int count) {
+    int i = count - 1;
+    while (open[i] < first_ + end_ || is_open_[open[i]] == 0 || is_done(open[i])) --i;
+    const int bundle = open[i] - first_ - end_;
+    for (int k = 0; k < l_.lanes; ++k) {
+      const int slot = l_.members[bundle * l_.lanes + k];
+      l_.bundles[slot] = 0, l_.lane[slot] = 0, l_.minus[slot] = 0;
+    }
+    entry_of_bundle_[bundle] = dissolved;
   }
 
   constexpr void push_operands(int task, sequence<int>& open) const {
@@ -261,10 +278,11 @@ private:
   }
 
   const tape_view& tape_;
-  const lockstep& l_;
+  lockstep& l_;
   int numbers_, first_, given_, end_, first_entry_ = 0;
   const int* place_;
   sequence<int> entry_of_, entry_of_bundle_;
+  base::zeros<char> is_open_; ///< of each task, whether its operands were listed
   lockstep_entries out_{};
 };
 

@@ -34,7 +34,7 @@ class lockstep_plan {
       if (!is_possible(end)) return;
       const equal_branches branches = equal_branches_of(view, most_lanes);
       if (branches.count == 0) return;
-      const lockstep found = detail::lockstep_search(view, branches, end).run();
+      lockstep found = detail::lockstep_search(view, branches, end).run();
       if (4 * found.count() * (found.lanes - 1) < end) return; // too few to pay
       const lockstep_entries all = detail::lockstep_order(view, found, given, end, Cuts::value.place).run();
       lanes = found.lanes, entries = all.action.size(), early_count = all.early.size();
