@@ -187,15 +187,20 @@ private:
       into_->is_full = true;
       return;
     }
-    const int nodes = into_->nodes = g.size();
-    const symbolic::node* const all = g.begin(); // pointers, because compilers interpret every access
-    symbolic::operation* const op = into_->op;
-    int *const a = into_->a, *const b = into_->b;
+    into_->nodes = g.size();
+    if (__builtin_is_constant_evaluated())
+      write_nodes(g.elements<true>(), g.size());
+    else
+      write_nodes(g.elements<false>(), g.size());
+  }
+  template <class Nodes>
+  constexpr void write_nodes(const Nodes& all, int nodes) {
+    auto& op = into_->op; // references to arrays, because compilers remember every address
+    auto &a = into_->a, &b = into_->b;
     for (int id = 0; id < nodes; ++id) {
-      const symbolic::node& n = all[id];
-      op[id] = n.op;
-      a[id] = n.a;
-      b[id] = n.b;
+      op[id] = all[id].op;
+      a[id] = all[id].a;
+      b[id] = all[id].b;
     }
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -21,20 +22,22 @@ namespace kanexpr::symbolic {
 class accumulation {
 public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
-      : graph_(g), adjoints_(g.size(), graph::zero), uses_(g.size(), 0),
+      : graph_(g), adjoints_(g.size()), uses_(g.size()),
         order_(reverse_topological_order(g, nodes_of(outputs))) {
     for (const expression& e : outputs) ++uses_[e.node()];
-    for (int id : order_) {
-      const node& n = g[id];
-      if (is_leaf(n.op)) continue;
-      ++uses_[n.a];
-      if (is_binary(n.op)) ++uses_[n.b];
-    }
+    if (__builtin_is_constant_evaluated())
+      count_uses(g.elements<true>(), uses_.elements<true>());
+    else
+      count_uses(g.elements<false>(), uses_.elements<false>());
   }
 
   constexpr void seed(expression output, expression weight) { collect(output.node(), weight.node()); }
 
   constexpr void restart() {
+    if (__builtin_is_constant_evaluated()) {
+      adjoints_ = base::zeros<int>(adjoints_.size());
+      return;
+    }
     for (int id : order_) adjoints_[id] = graph::zero;
   }
 
@@ -46,9 +49,10 @@ public:
 
   constexpr void run() {
     for (int id : order_) {
-      const node n = graph_[id];
       const int adjoint = adjoints_[id];
-      if (adjoint == graph::zero || is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
+      if (adjoint == graph::zero) continue;
+      const node n = graph_[id];
+      if (is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
       if (n.op == operation::component)
         adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
       else if (is_solution(n.op))
@@ -65,6 +69,16 @@ public:
   constexpr expression by(expression symbol) const { return {graph_, adjoints_[symbol.node()]}; }
 
 private:
+  template <class Nodes, class Uses>
+  constexpr void count_uses(const Nodes& nodes, Uses& uses) const {
+    for (int id : order_) {
+      const operation op = nodes[id].op;
+      if (is_leaf(op)) continue;
+      ++uses[nodes[id].a];
+      if (is_binary(op)) ++uses[nodes[id].b];
+    }
+  }
+
   constexpr void collect(int id, int part) {
     int& adjoint = adjoints_[id];
     adjoint = add(graph_, adjoint, part);
@@ -163,8 +177,8 @@ private:
   }
 
   graph& graph_;
-  sequence<int> adjoints_;
-  sequence<int> uses_;    ///< the number of uses by live nodes
+  base::zeros<int> adjoints_;
+  base::zeros<int> uses_; ///< the number of uses by live nodes
   sequence<int> order_;   ///< live nodes, users first
   sequence<char> held_{}; ///< by node, empty if none is held
 };

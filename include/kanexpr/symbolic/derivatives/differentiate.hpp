@@ -155,7 +155,7 @@ private:
     const int marks = id * stride_;
     if (id < marked_ && (marks_[marks] & mark_) == 0) return graph::zero;
     graph& g = *graph_;
-    const node n = g.begin()[id];
+    const node n = g.node_at(id);
     if (n.op <= operation::symbol) return graph::zero; // a leaf
     int rate = graph::zero;
     if (n.op == operation::add || n.op == operation::subtract) {

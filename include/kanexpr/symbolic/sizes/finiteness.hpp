@@ -19,7 +19,7 @@ public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
       : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size()),
         facts_of_(facts_.begin()) {
-    const sequence<char> is_live = live_nodes(g, outputs);
+    const base::zeros<char> is_live = live_nodes(g, outputs);
     const char* const live = is_live.begin();
     for (int id : sure_divisors) facts_of_[id] = sure;
     for (int id = 0; id < size_; ++id) {
