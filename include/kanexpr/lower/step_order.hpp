@@ -226,29 +226,7 @@ private:
     if (--filled_[rank] == 0) is_filled_ &= ~(1U << rank);
   }
 
-  /// Returns the first step of a rank that has some.
-  constexpr int first_of(int rank) {
-    const auto& ready = ready_.elements<is_constant>();
-    const int row = rank * words_;
-    int word = first_[rank];
-    while (ready[row + word] == 0) ++word;
-    first_[rank] = word;
-    return 64 * word + __builtin_ctzll(ready[row + word]);
-  }
-
-  /// Removes and returns the best step that is ready.
-  constexpr int take() {
-    if (is_filled_ == 0) return next_of_last_ < last_.size() ? last_[next_of_last_++] : none;
-    const int rank = 31 - __builtin_clz(is_filled_);
-    int k = first_of(rank);
-    if (rank % prospects == 1 && live_ <= few && filled_[rank - 1] != 0) {
-      const int other = first_of(rank - 1);
-      if (other < k) k = other;
-    }
-    withdraw(k);
-    return k;
-  }
-
+  /// Puts the best step that is ready, again and again, without calls, because compilers remember each.
   constexpr void put_all() {
     const auto& nodes = g_.elements<is_constant>();
     const auto& place = places_.elements<is_constant>();
@@ -259,12 +237,33 @@ private:
     const auto& operands = operands_.elements<is_constant>();
     const auto& first_user = first_users_.elements<is_constant>();
     const auto& users = users_.elements<is_constant>();
+    const auto& prospect = prospects_.elements<is_constant>();
+    auto& ready = ready_.elements<is_constant>();
     auto& use = uses_.elements<is_constant>();
     auto& wait = waits_.elements<is_constant>();
     auto& rank = ranks_.elements<is_constant>();
     auto& order = order_.elements<is_constant>();
-    int next = 0;
-    for (int k = take(); k != none; k = take()) {
+    int next = 0, next_of_last = 0;
+    while (is_filled_ != 0 || next_of_last < last_.size()) {
+      int k = 0;
+      if (is_filled_ == 0) {
+        k = last_[next_of_last++];
+      } else {
+        int best = 31 - __builtin_clz(is_filled_), word = first_[best];
+        while (ready[best * words_ + word] == 0) ++word;
+        first_[best] = word;
+        k = 64 * word + __builtin_ctzll(ready[best * words_ + word]);
+        if (best % prospects == 1 && live_ <= few && filled_[best - 1] != 0) {
+          const int below = best - 1;
+          word = first_[below];
+          while (ready[below * words_ + word] == 0) ++word;
+          first_[below] = word;
+          const int other = 64 * word + __builtin_ctzll(ready[below * words_ + word]);
+          if (other < k) k = other, best = below;
+        }
+        ready[best * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+        if (--filled_[best] == 0) is_filled_ &= ~(1U << best);
+      }
       const int id = value[k];
       if (join[k] != 0) {
         for (int side = 0; side < 2; ++side) {
@@ -280,8 +279,17 @@ private:
       for (int i = first_user[k], end = first_user[k + 1]; i < end; ++i) {
         const int user = users[i], missing = wait[user] - 1;
         wait[user] = missing;
-        if (missing == 0) offer(user);
         if (missing == 1 && gain[user] > 0) raise_missing_operand_of(user);
+        if (missing != 0) continue;
+        if (nodes[value[user]].op == operation::symmetric_solve) {
+          last_.push(user);
+          continue;
+        }
+        const int own = prospects * gain[user] + prospect[user], word = user / 64;
+        rank[user] = own;
+        ready[own * words_ + word] |= std::uint64_t{1} << (user % 64);
+        if (filled_[own]++ == 0 || word < first_[own]) first_[own] = word;
+        is_filled_ |= 1U << own;
       }
       if (nodes[id].op == operation::pair) continue;
       for (int i = first_operand[k]; operands[i] != none; ++i) {
@@ -344,8 +352,7 @@ private:
   base::zeros<int> operands_, users_{}; ///< as indices among the values
   base::zeros<std::uint64_t> ready_{};  ///< one bit per value, by rank
   base::zeros<int> order_;
-  sequence<int> last_{}; ///< symmetric systems, which wait until nothing else is ready
-  int next_of_last_ = 0;
+  sequence<int> last_{};        ///< symmetric systems, which wait until nothing else is ready
   int count_ = 0;               ///< the number of values
   int ordered_ = 0;             ///< the number of those that are ordered
   int words_ = 0;               ///< the number of 64-bit words per rank

@@ -71,6 +71,18 @@ public:
       return nodes_;
   }
 
+  /// Copies two nodes, which takes half of the memory of reading each through a pointer.
+  constexpr void read(int a, int b, node& x, node& y) const {
+    if (__builtin_is_constant_evaluated()) {
+      const auto& nodes = block_->value;
+      x = nodes[a];
+      y = nodes[b];
+    } else {
+      x = nodes_[a];
+      y = nodes_[b];
+    }
+  }
+
   constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
   constexpr const number& number_at(int id) const { return numbers_[nodes_[id].a]; }
   constexpr const symbol& symbol_at(int id) const { return symbols_[nodes_[id].a]; }
