@@ -65,6 +65,19 @@ inline constexpr std::int64_t one_above_int = std::int64_t{1} << 31;
 /// Both directions share one function for each type of a part, because compilers take long to instantiate
 /// these functions. Writing does not change the parts.
 class image_transfer {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes>
+  constexpr void write_nodes(const Nodes& all, int nodes) {
+    auto& op = into_->op; // references to arrays, because compilers remember every address
+    auto &a = into_->a, &b = into_->b;
+    for (int id = 0; id < nodes; ++id) {
+      op[id] = all[id].op;
+      a[id] = all[id].a;
+      b[id] = all[id].b;
+    }
+  }
+
 public:
   /// Writes; starts with the graph.
   constexpr image_transfer(image& into, const symbolic::graph& g);
@@ -193,17 +206,6 @@ private:
     else
       write_nodes(g.elements<false>(), g.size());
   }
-  template <class Nodes>
-  constexpr void write_nodes(const Nodes& all, int nodes) {
-    auto& op = into_->op; // references to arrays, because compilers remember every address
-    auto &a = into_->a, &b = into_->b;
-    for (int id = 0; id < nodes; ++id) {
-      op[id] = all[id].op;
-      a[id] = all[id].a;
-      b[id] = all[id].b;
-    }
-  }
-
   constexpr void write_numbers(const symbolic::graph& g) {
     for (const symbolic::number& n : g.numbers()) {
       if (!has_room(into_->numbers, image::most_numbers)) return;

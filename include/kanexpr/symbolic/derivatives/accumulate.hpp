@@ -20,6 +20,39 @@ namespace kanexpr::symbolic {
 /// call `run` once, then query the gradient with respect to any symbol; `restart` prepares for other
 /// weights.
 class accumulation {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class Uses>
+  constexpr void count_uses(const Nodes& nodes, Uses& uses) const {
+    for (int id : order_) {
+      const operation op = nodes[id].op;
+      if (is_leaf(op)) continue;
+      ++uses[nodes[id].a];
+      if (is_binary(op)) ++uses[nodes[id].b];
+    }
+  }
+
+  template <bool is_constant>
+  constexpr void propagate_all() {
+    const auto& adjoints = adjoints_.elements<is_constant>();
+    for (int id : order_) {
+      const int adjoint = adjoints[id];
+      if (adjoint == graph::zero) continue;
+      const node n = graph_.node_at(id);
+      if (is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
+      if (n.op == operation::component)
+        adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
+      else if (is_solution(n.op))
+        propagate_solve(id, n);
+      else if (n.op == operation::call)
+        propagate_call(id, n, adjoint);
+      else if (is_selection(n.op))
+        propagate_selection(n, adjoint);
+      else if (n.op != operation::singularity_measure && !propagate_rotation(n, adjoint))
+        propagate_partials(id, n, adjoint);
+    }
+  }
+
 public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
       : graph_(g), adjoints_(g.size()), uses_(g.size()),
@@ -48,37 +81,15 @@ public:
   }
 
   constexpr void run() {
-    for (int id : order_) {
-      const int adjoint = adjoints_[id];
-      if (adjoint == graph::zero) continue;
-      const node n = graph_[id];
-      if (is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
-      if (n.op == operation::component)
-        adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
-      else if (is_solution(n.op))
-        propagate_solve(id, n);
-      else if (n.op == operation::call)
-        propagate_call(id, n, adjoint);
-      else if (is_selection(n.op))
-        propagate_selection(n, adjoint);
-      else if (n.op != operation::singularity_measure && !propagate_rotation(n, adjoint))
-        propagate_partials(id, n, adjoint);
-    }
+    if (__builtin_is_constant_evaluated())
+      propagate_all<true>();
+    else
+      propagate_all<false>();
   }
 
   constexpr expression by(expression symbol) const { return {graph_, adjoints_[symbol.node()]}; }
 
 private:
-  template <class Nodes, class Uses>
-  constexpr void count_uses(const Nodes& nodes, Uses& uses) const {
-    for (int id : order_) {
-      const operation op = nodes[id].op;
-      if (is_leaf(op)) continue;
-      ++uses[nodes[id].a];
-      if (is_binary(op)) ++uses[nodes[id].b];
-    }
-  }
-
   constexpr void collect(int id, int part) {
     int& adjoint = adjoints_[id];
     adjoint = add(graph_, adjoint, part);

@@ -29,6 +29,44 @@ struct node {
 /// This class only stores nodes; rules.hpp builds them in simplest form. Most of the work of a derivation is
 /// done here, and compilers interpret every call, so the code accesses its arrays directly.
 class graph {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class From>
+  static constexpr void copy(Nodes& nodes, const From& all, int count) {
+    for (int id = 0; id < count; ++id) {
+      nodes[id].op = all[id].op;
+      nodes[id].a = all[id].a;
+      nodes[id].b = all[id].b;
+    }
+  }
+  template <class Nodes, class Operations, class Operands>
+  static constexpr void fill(Nodes& nodes, const Operations& op, const Operands& a, const Operands& b,
+                             int count) {
+    for (int id = 0; id < count; ++id) {
+      nodes[id].op = op[id];
+      nodes[id].a = a[id];
+      nodes[id].b = b[id];
+    }
+  }
+
+  template <class Nodes, class Table>
+  constexpr void index_nodes(const Nodes& nodes, Table& table, int count) {
+    const unsigned mask = hash_mask_;
+    for (int id = 0; id < count; ++id) {
+      const operation op = nodes[id].op;
+      unsigned place = 0;
+      if (op == operation::constant)
+        place = hash(numbers_[nodes[id].a]) & mask;
+      else if (__builtin_is_constant_evaluated())
+        place = static_cast<unsigned>(nodes[id].a * 211 + nodes[id].b * 5 + static_cast<int>(op)) & mask;
+      else
+        place = hash(nodes[id]) & mask;
+      while (table[place] != 0) place = (place + 1) & mask;
+      table[place] = id + 1;
+      if (op >= operation::pair) has_lists_ = true;
+    }
+  }
+
 public:
   static constexpr int zero = 0;
   static constexpr int one = 1;
@@ -262,24 +300,6 @@ private:
     return append(wanted, static_cast<int>(place));
   }
 
-  template <class Nodes, class From>
-  static constexpr void copy(Nodes& nodes, const From& all, int count) {
-    for (int id = 0; id < count; ++id) {
-      nodes[id].op = all[id].op;
-      nodes[id].a = all[id].a;
-      nodes[id].b = all[id].b;
-    }
-  }
-  template <class Nodes, class Operations, class Operands>
-  static constexpr void fill(Nodes& nodes, const Operations& op, const Operands& a, const Operands& b,
-                             int count) {
-    for (int id = 0; id < count; ++id) {
-      nodes[id].op = op[id];
-      nodes[id].a = a[id];
-      nodes[id].b = b[id];
-    }
-  }
-
   /// Enters distinct nodes into the hash table.
   constexpr void index_nodes(int count) {
     if (__builtin_is_constant_evaluated())
@@ -288,24 +308,6 @@ private:
       index_nodes(nodes_, table_, count);
     size_ = count;
   }
-  template <class Nodes, class Table>
-  constexpr void index_nodes(const Nodes& nodes, Table& table, int count) {
-    const unsigned mask = hash_mask_;
-    for (int id = 0; id < count; ++id) {
-      const operation op = nodes[id].op;
-      unsigned place = 0;
-      if (op == operation::constant)
-        place = hash(numbers_[nodes[id].a]) & mask;
-      else if (__builtin_is_constant_evaluated())
-        place = static_cast<unsigned>(nodes[id].a * 211 + nodes[id].b * 5 + static_cast<int>(op)) & mask;
-      else
-        place = hash(nodes[id]) & mask;
-      while (table[place] != 0) place = (place + 1) & mask;
-      table[place] = id + 1;
-      if (op >= operation::pair) has_lists_ = true;
-    }
-  }
-
   /// Allocates an empty graph.
   constexpr void allocate(int nodes) {
     release();

@@ -15,6 +15,18 @@ struct replacement {
 
 /// Replaces nodes throughout an expression simultaneously and simplifies the result.
 class substitution {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class Marks>
+  static constexpr void visit(const Nodes& nodes, Marks& changes, int first, int last) {
+    for (int id = first; id <= last; ++id) {
+      const operation op = nodes[id].op;
+      if (op <= operation::symbol) continue; // a leaf
+      const bool has_second = op > operation::negate && (op <= operation::power || is_binary(op));
+      if (changes[nodes[id].a] != 0 || (has_second && changes[nodes[id].b] != 0)) changes[id] = 1;
+    }
+  }
+
 public:
   constexpr explicit substitution(graph& g) : graph_(g) {}
   substitution(const substitution&) = delete;
@@ -57,16 +69,6 @@ private:
       visit(graph_.elements<false>(), changes_.elements<false>(), visited_, last);
     visited_ = last + 1;
   }
-  template <class Nodes, class Marks>
-  static constexpr void visit(const Nodes& nodes, Marks& changes, int first, int last) {
-    for (int id = first; id <= last; ++id) {
-      const operation op = nodes[id].op;
-      if (op <= operation::symbol) continue; // a leaf
-      const bool has_second = op > operation::negate && (op <= operation::power || is_binary(op));
-      if (changes[nodes[id].a] != 0 || (has_second && changes[nodes[id].b] != 0)) changes[id] = 1;
-    }
-  }
-
   constexpr int in(int id) {
     if (change_[id] == 0) return id;
     if (image_[id] != unknown) return image_[id] - 1;

@@ -24,6 +24,25 @@ struct solves_of_factors {
 /// Rewrites the solutions of small systems and of constant systems as ordinary operations. Nodes are visited
 /// in ascending order, so operands precede their users.
 class expansion {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Marks, class Images>
+  constexpr void expand(const Marks& live, Images& image) {
+    for (int id = 0, end = live_.size(); id < end; ++id) {
+      image[id] = id;
+      if (live[id] == 0) continue;
+      const node n = g_[id];
+      if (n.op <= operation::symbol) continue;
+      const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
+      if (n.op == operation::component && is_solution(g_[n.a].op))
+        image[id] = element(n, a);
+      else if (n.op == operation::singularity_measure && is_small(n.a))
+        image[id] = measure(n, a);
+      else if (a != n.a || b != n.b)
+        image[id] = build(g_, n.op, a, b);
+    }
+  }
+
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
       : g_(g), live_(live_nodes(g, outputs)), image_(g.size()), uses_of_(g.size(), -1) {
@@ -45,23 +64,6 @@ public:
   }
 
 private:
-  template <class Marks, class Images>
-  constexpr void expand(const Marks& live, Images& image) {
-    for (int id = 0, end = live_.size(); id < end; ++id) {
-      image[id] = id;
-      if (live[id] == 0) continue;
-      const node n = g_[id];
-      if (n.op <= operation::symbol) continue;
-      const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
-      if (n.op == operation::component && is_solution(g_[n.a].op))
-        image[id] = element(n, a);
-      else if (n.op == operation::singularity_measure && is_small(n.a))
-        image[id] = measure(n, a);
-      else if (a != n.a || b != n.b)
-        image[id] = build(g_, n.op, a, b);
-    }
-  }
-
   constexpr bool is_small(int factorization) const {
     return order_of(g_, factorization) <= max_cofactor_order;
   }

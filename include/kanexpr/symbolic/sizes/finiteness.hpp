@@ -15,6 +15,26 @@ namespace kanexpr::symbolic {
 /// can produce infinity or NaN, except quotients whose divisor is in `sure_divisors`. Sums and products are
 /// ignored: they overflow only at values of no practical use.
 class finiteness {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class Marks, class Facts>
+  constexpr void classify_all(const Nodes& nodes, const Marks& live, Facts& facts) {
+    for (int id = 0, end = size_; id < end; ++id) {
+      if (live[id] == 0) continue;
+      const operation op = nodes[id].op;
+      if (op != operation::add && op != operation::subtract && op != operation::multiply) {
+        if (op != operation::symbol) classify(id);
+        continue;
+      }
+      // most nodes, handled inline because compilers interpret every call
+      const int a = nodes[id].a, b = nodes[id].b, both = facts[a] & facts[b], any = facts[a] | facts[b];
+      if ((any & may_fail) != 0) facts[id] |= may_fail, any_fails_ = true;
+      const bool is_square = op == operation::multiply && a == b;
+      if (is_square || (op != operation::subtract && (both & never_negative) != 0))
+        facts[id] |= never_negative;
+    }
+  }
+
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
       : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size()),
@@ -72,24 +92,6 @@ public:
 private:
   /// Properties of a live node, as bits.
   enum fact : int { sure = 1, never_negative = 2, originates = 4, may_fail = 8 };
-
-  template <class Nodes, class Marks, class Facts>
-  constexpr void classify_all(const Nodes& nodes, const Marks& live, Facts& facts) {
-    for (int id = 0, end = size_; id < end; ++id) {
-      if (live[id] == 0) continue;
-      const operation op = nodes[id].op;
-      if (op != operation::add && op != operation::subtract && op != operation::multiply) {
-        if (op != operation::symbol) classify(id);
-        continue;
-      }
-      // most nodes, handled inline because compilers interpret every call
-      const int a = nodes[id].a, b = nodes[id].b, both = facts[a] & facts[b], any = facts[a] | facts[b];
-      if ((any & may_fail) != 0) facts[id] |= may_fail, any_fails_ = true;
-      const bool is_square = op == operation::multiply && a == b;
-      if (is_square || (op != operation::subtract && (both & never_negative) != 0))
-        facts[id] |= never_negative;
-    }
-  }
 
   constexpr void classify(int id) { // writes only bits that are set, because compilers are slow here
     const node& n = nodes_[id];
