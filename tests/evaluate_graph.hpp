@@ -145,7 +145,7 @@ T singularity_measure(const symbolic::graph& g, const symbolic::node& n, const A
 template <class T>
 T evaluate(symbolic::expression e, const std::vector<T>& symbols) {
   const symbolic::graph& g = e.owner();
-  const base::sequence<char> live = symbolic::live_nodes(g, {e.node()});
+  const auto live = symbolic::live_nodes(g, {e.node()});
   std::vector<T> values(static_cast<std::size_t>(e.node()) + 1);
   const auto at = [&values](int id) -> T& { return values[static_cast<std::size_t>(id)]; };
   std::map<int, std::vector<T>> solutions;

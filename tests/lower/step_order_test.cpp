@@ -23,8 +23,14 @@ using kanexpr::symbolic::operation;
 
 sequence<int> in_order(const graph& g, const sequence<int>& results) {
   const sequence<int> live = kanexpr::symbolic::live_values(g, results);
-  const sequence<int> slots(g.size(), -1);
-  return kanexpr::lower::step_order(g, live, slots, results).run();
+  const kanexpr::base::zeros<int> no_slots(g.size());
+  kanexpr::base::zeros<int> listed(live.size());
+  for (int i = 0; i < live.size(); ++i) listed[i] = live[i];
+  kanexpr::lower::step_order<false> steps(g, listed, live.size(), no_slots, results);
+  const kanexpr::base::zeros<int>& found = steps.run();
+  sequence<int> order;
+  for (int i = 0; i < steps.size(); ++i) order.push(found[i]);
+  return order;
 }
 
 /// The largest number of values that are live simultaneously when code runs in a given order.

@@ -48,7 +48,7 @@ TEST_F(cost_of_code, counts_what_is_shared_once_and_what_is_dead_never) {
   const expression square = a * a;
   [[maybe_unused]] const expression dead = b * c;
   EXPECT_EQ(of_all({square, square + b, square - b}), (cost{1, 2, 0, 0, 0, 3}));
-  const sequence<char> live = live_nodes(g, {square.node()});
+  const auto live = live_nodes(g, {square.node()});
   EXPECT_EQ(live[a.node()], 1);
   EXPECT_EQ(live[dead.node()], 0);
   EXPECT_EQ(live[b.node()], 0);

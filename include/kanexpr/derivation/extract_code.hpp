@@ -96,10 +96,17 @@ constexpr extracted_code extract_code(derived_system& system, std::string_view c
     code.causes.push(g.cause);
     code.checks_finiteness = g.of_finiteness;
   }
-  const lower::tape tape = lower::tape_from(system.graph(), found.nodes);
-  if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return extracted_code(lacking);
-  code.tape = lower::fixed(tape);
-  return code;
+  const auto keep = [&](const auto& tape) {
+    if (const sentence lacking = check_room(called, lower::sizes_of(tape)))
+      code.mistake = lacking;
+    else
+      code.tape = lower::fixed(tape);
+  };
+  if (__builtin_is_constant_evaluated())
+    keep(lower::constant_tape_from(system.graph(), found.nodes));
+  else
+    keep(lower::tape_from(system.graph(), found.nodes));
+  return code.mistake ? extracted_code(code.mistake) : code;
 }
 
 constexpr stage stage_for(std::span<const request> all) {

@@ -65,6 +65,19 @@ inline constexpr std::int64_t one_above_int = std::int64_t{1} << 31;
 /// Both directions share one function for each type of a part, because compilers take long to instantiate
 /// these functions. Writing does not change the parts.
 class image_transfer {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes>
+  constexpr void write_nodes(const Nodes& all, int nodes) {
+    auto& op = into_->op; // references to arrays, because compilers remember every address
+    auto &a = into_->a, &b = into_->b;
+    for (int id = 0; id < nodes; ++id) {
+      op[id] = all[id].op;
+      a[id] = all[id].a;
+      b[id] = all[id].b;
+    }
+  }
+
 public:
   /// Writes; starts with the graph.
   constexpr image_transfer(image& into, const symbolic::graph& g);
@@ -187,18 +200,12 @@ private:
       into_->is_full = true;
       return;
     }
-    const int nodes = into_->nodes = g.size();
-    const symbolic::node* const all = g.begin(); // pointers, because compilers interpret every access
-    symbolic::operation* const op = into_->op;
-    int *const a = into_->a, *const b = into_->b;
-    for (int id = 0; id < nodes; ++id) {
-      const symbolic::node& n = all[id];
-      op[id] = n.op;
-      a[id] = n.a;
-      b[id] = n.b;
-    }
+    into_->nodes = g.size();
+    if (__builtin_is_constant_evaluated())
+      write_nodes(g.elements<true>(), g.size());
+    else
+      write_nodes(g.elements<false>(), g.size());
   }
-
   constexpr void write_numbers(const symbolic::graph& g) {
     for (const symbolic::number& n : g.numbers()) {
       if (!has_room(into_->numbers, image::most_numbers)) return;

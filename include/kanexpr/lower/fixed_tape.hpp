@@ -72,7 +72,8 @@ struct roomy_tape {
   const symbolic::external_function* externals[most_externals]{};
 };
 
-constexpr tape_sizes sizes_of(const tape& t) {
+template <class Steps>
+constexpr tape_sizes sizes_of(const basic_tape<Steps>& t) {
   return {t.steps.size(),    t.numbers.size(),   t.loads.size(), t.results.size(), t.linear_steps.size(),
           t.operands.size(), t.externals.size(), t.first_angle,  t.angle_count};
 }
@@ -84,16 +85,32 @@ constexpr bool has_room_for(const tape_sizes& s) {
 }
 
 /// Copies a tape, which must not exceed the capacity.
-constexpr roomy_tape fixed(const tape& t) {
+template <class Steps>
+constexpr roomy_tape fixed(const basic_tape<Steps>& t) {
   roomy_tape out{};
   out.sizes = sizes_of(t);
   out.cost = cost_of(t);
-  const instruction* const steps = t.steps.begin();
-  for (int i = 0; i < out.sizes.steps; ++i) {
-    out.op[i] = steps[i].op;
-    out.paired[i] = steps[i].paired;
-    out.a[i] = steps[i].a;
-    out.b[i] = steps[i].b;
+  if constexpr (requires { t.steps.count; }) {
+    const auto& op = t.steps.op.template elements<true>();
+    const auto& paired = t.steps.paired.template elements<true>();
+    const auto &a = t.steps.a.template elements<true>(), &b = t.steps.b.template elements<true>();
+    auto& to_op = out.op;
+    auto& to_paired = out.paired;
+    auto &to_a = out.a, &to_b = out.b;
+    for (int i = 0, steps = t.steps.size(); i < steps; ++i) {
+      to_op[i] = op[i];
+      if (paired[i] != 0) to_paired[i] = true;
+      to_a[i] = a[i];
+      to_b[i] = b[i];
+    }
+  } else {
+    for (int i = 0; i < out.sizes.steps; ++i) {
+      const instruction& step = t.steps[i];
+      out.op[i] = step.op;
+      out.paired[i] = step.paired;
+      out.a[i] = step.a;
+      out.b[i] = step.b;
+    }
   }
   for (int i = 0; i < out.sizes.numbers; ++i) {
     out.numerators[i] = t.numbers[i].numerator;
@@ -123,11 +140,17 @@ constexpr fixed_tape<sizes> trimmed(const roomy_tape& from) {
   fixed_tape<sizes> out{};
   out.sizes = sizes;
   out.cost = from.cost;
+  const auto& op = from.op; // references to arrays, because compilers remember every address
+  const auto& paired = from.paired;
+  const auto &a = from.a, &b = from.b;
+  auto& to_op = out.op;
+  auto& to_paired = out.paired;
+  auto &to_a = out.a, &to_b = out.b;
   for (int i = 0; i < sizes.steps; ++i) {
-    out.op[i] = from.op[i];
-    out.paired[i] = from.paired[i];
-    out.a[i] = from.a[i];
-    out.b[i] = from.b[i];
+    to_op[i] = op[i];
+    to_paired[i] = paired[i];
+    to_a[i] = a[i];
+    to_b[i] = b[i];
   }
   for (int i = 0; i < sizes.numbers; ++i)
     out.numbers[i] = {from.numerators[i], from.denominators[i], from.reals[i]};

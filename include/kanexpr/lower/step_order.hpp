@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
@@ -17,51 +18,58 @@ using symbolic::operation;
 /// Among the nodes whose operands are available, the one that is the last use of the most values comes next.
 /// Of several, it is the one after which another node becomes available that shrinks the set of live values
 /// most; further ties are resolved by the order of the graph. Products used by only one sum directly precede
-/// it, because processors can contract a product and a sum into one operation. The code accesses arrays
-/// directly because compilers interpret every call.
+/// it, because processors can contract a product and a sum into one operation.
+///
+/// The parameter states whether the order is found in constant evaluation, where the loops access the arrays
+/// themselves (base::zeros explains why).
+template <bool is_constant>
 class step_order {
 public:
-  /// Orders the `live` nodes of the graph, except leaves and nodes that already have a slot.
-  constexpr step_order(const graph& g, const sequence<int>& live, const sequence<int>& slot_of,
-                       const sequence<int>& results)
-      : nodes_(g.begin()), place_of_(g.size(), none), place_(place_of_.begin()) {
-    values_.reserve(live.size());
-    for (int id : live)
-      if (nodes_[id].op > operation::symbol) place_[id] = values_.push(id);
-    const int count = values_.size();
-    for (sequence<int>* each :
-         {&uses_of_, &waits_for_, &joined_to_, &first_operand_of_, &gain_of_, &prospect_of_})
-      each->resize(count, 0);
-    first_user_of_.resize(count + 1, 0);
-    rank_of_.resize(count, waiting);
-    uses_ = uses_of_.begin(), waits_ = waits_for_.begin(), joins_ = joined_to_.begin();
-    first_operand_ = first_operand_of_.begin(), first_user_ = first_user_of_.begin();
-    rank_ = rank_of_.begin(), gain_ = gain_of_.begin(), prospect_ = prospect_of_.begin();
-    words_ = count / 64 + 1;
-    ready_of_.resize(ranks * words_, 0);
-    ready_ = ready_of_.begin();
-    for (int k = 0; k < count; ++k)
-      if (slot_of[values_[k]] != none) rank_[k] = done;
+  /// Orders the `count` nodes in `live`, except leaves and nodes that already have a slot (stored as one
+  /// more).
+  constexpr step_order(const graph& g, const base::zeros<int>& live, int count,
+                       const base::zeros<int>& slot_of, const sequence<int>& results)
+      : g_(g), places_(g.size()), values_(count), uses_(count), waits_(count), joins_(count),
+        first_operands_(count), first_users_(count + 1), ranks_(count), gains_(count), prospects_(count),
+        operands_(3 * count), order_(count) {
+    const auto& nodes = g.elements<is_constant>();
+    const auto& ids = live.elements<is_constant>();
+    const auto& slots = slot_of.elements<is_constant>();
+    auto& place = places_.elements<is_constant>();
+    auto& value = values_.elements<is_constant>();
+    auto& rank = ranks_.elements<is_constant>();
+    int values = 0;
+    for (int i = 0; i < count; ++i) {
+      const int id = ids[i];
+      if (nodes[id].op <= operation::symbol) continue;
+      rank[values] = slots[id] == 0 ? waiting : done;
+      value[values] = id;
+      place[id] = ++values;
+    }
+    count_ = values;
+    words_ = values / 64 + 1;
+    ready_ = base::zeros<std::uint64_t>(ranks * words_);
     join_products(results);
     list_operands();
     list_users();
-    order_.reserve(count);
+    count_gains();
   }
   step_order(const step_order&) = delete;
   step_order& operator=(const step_order&) = delete;
 
-  constexpr sequence<int> run() {
-    for (int k = 0, end = values_.size(); k < end; ++k) {
-      if (rank_[k] != waiting) continue;
-      if (waits_[k] == 0) offer(k);
-      if (waits_[k] == 1) raise_missing_operand_of(k);
+  /// Returns the nodes in order.
+  constexpr const base::zeros<int>& run() {
+    const auto& wait = waits_.elements<is_constant>();
+    const auto& rank = ranks_.elements<is_constant>();
+    for (int k = 0; k < count_; ++k) {
+      if (rank[k] != waiting) continue;
+      if (wait[k] == 0) offer(k);
+      if (wait[k] == 1) raise_missing_operand_of(k);
     }
-    while (true) {
-      const int k = take();
-      if (k == none) return static_cast<sequence<int>&&>(order_);
-      put(k);
-    }
+    put_all();
+    return order_;
   }
+  constexpr int size() const { return ordered_; }
 
 private:
   static constexpr int none = -1;
@@ -71,176 +79,244 @@ private:
   /// While more values than this are live, a step that adds no value is a prospect too.
   static constexpr int few = 64;
 
-  constexpr int second_operand(const symbolic::node& n) const {
-    if (n.op <= operation::power) return n.op == operation::negate ? none : n.b;
-    return symbolic::is_binary(n.op) && !symbolic::has_index_operand(n.op) ? n.b : none;
+  static constexpr bool has_second_operand(operation op) {
+    return op <= operation::power ? op != operation::negate
+                                  : symbolic::is_binary(op) && !symbolic::has_index_operand(op);
   }
 
   /// Joins products that only one sum uses; a result counts as used by the caller.
   constexpr void join_products(const sequence<int>& results) {
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& place = places_.elements<is_constant>();
+    const auto& value = values_.elements<is_constant>();
+    auto& use = uses_.elements<is_constant>();
+    auto& join = joins_.elements<is_constant>();
+    auto& rank = ranks_.elements<is_constant>();
+    for (int k = 0; k < count_; ++k) use[k] = join[k] = 0;
     for (int id : results)
-      if (place_[id] != none) ++uses_[place_[id]];
-    for (int k = 0, end = values_.size(); k < end; ++k) {
-      const symbolic::node& n = nodes_[values_[k]];
-      const int a = place_[n.a], second = second_operand(n), b = second == none ? none : place_[second];
-      if (a != none) ++uses_[a];
-      if (b != none) ++uses_[b];
-      if (n.op != operation::add && n.op != operation::subtract) continue;
-      if (a != none && nodes_[n.a].op == operation::multiply) ++joins_[a];
-      if (b != none && nodes_[n.b].op == operation::multiply) ++joins_[b];
+      if (place[id] != 0) ++use[place[id] - 1];
+    for (int k = 0; k < count_; ++k) {
+      const int id = value[k];
+      const operation op = nodes[id].op;
+      const bool is_sum = op == operation::add || op == operation::subtract;
+      const int a = nodes[id].a, first = place[a];
+      if (first != 0) {
+        ++use[first - 1];
+        if (is_sum && nodes[a].op == operation::multiply) ++join[first - 1];
+      }
+      if (op > operation::power ? !has_second_operand(op) : op == operation::negate) continue;
+      const int b = nodes[id].b, second = place[b];
+      if (second == 0) continue;
+      ++use[second - 1];
+      if (is_sum && nodes[b].op == operation::multiply) ++join[second - 1];
     }
-    for (int k = 0, end = values_.size(); k < end; ++k) {
-      const bool is_joined = joins_[k] == 1 && uses_[k] == 1 && rank_[k] == waiting;
-      joins_[k] = 0;
-      if (is_joined) rank_[k] = joined;
+    for (int k = 0; k < count_; ++k) {
+      if (join[k] == 0) continue;
+      if (join[k] == 1 && use[k] == 1 && rank[k] == waiting) rank[k] = joined;
+      join[k] = 0;
     }
   }
 
   /// Lists the operands of every step, including those of joined products, each value once.
   constexpr void list_operands() {
-    operands_of_.reserve(3 * values_.size());
-    for (int k = 0, end = values_.size(); k < end; ++k) {
-      if (rank_[k] != waiting) continue;
-      const int first = first_operand_[k] = operands_of_.size();
-      const symbolic::node& n = nodes_[values_[k]];
-      const int second = second_operand(n);
-      list_operand(k, first, n.a);
-      if (second != none && second != n.a) list_operand(k, first, second);
-      operands_of_.push(none); // end marker
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& place = places_.elements<is_constant>();
+    const auto& value = values_.elements<is_constant>();
+    const auto& rank = ranks_.elements<is_constant>();
+    auto& join = joins_.elements<is_constant>();
+    auto& first_operand = first_operands_.elements<is_constant>();
+    auto& operands = operands_.elements<is_constant>();
+    int listed = 0;
+    for (int k = 0; k < count_; ++k) {
+      first_operand[k] = listed;
+      if (rank[k] != waiting) continue;
+      const int first = listed, id = value[k];
+      int open[4]{nodes[id].a}; // the operands that remain to be listed, the last one first
+      int count = 1;
+      if (const operation op = nodes[id].op;
+          (op > operation::power ? has_second_operand(op) : op != operation::negate) &&
+          nodes[id].b != open[0])
+        open[1] = open[0], open[0] = nodes[id].b, count = 2;
+      while (count > 0) {
+        const int each = open[--count], operand = place[each] - 1;
+        if (operand == none) continue; // not computed by a step
+        if (rank[operand] == joined) {
+          join[k] = 1;
+          open[count++] = nodes[each].b, open[count++] = nodes[each].a;
+          continue;
+        }
+        int i = first;
+        while (i < listed && operands[i] != operand) ++i;
+        if (i == listed) operands[listed++] = operand;
+      }
+      operands[listed++] = none; // end marker
     }
-    operands_ = operands_of_.begin();
-  }
-
-  constexpr void list_operand(int k, int first, int id) {
-    const int operand = place_[id];
-    if (operand == none) return; // not computed by a step
-    if (rank_[operand] == joined) {
-      joins_[k] = 1;
-      list_operand(k, first, nodes_[id].a);
-      list_operand(k, first, nodes_[id].b);
-      return;
-    }
-    for (int i = first, end = operands_of_.size(); i < end; ++i)
-      if (operands_of_[i] == operand) return;
-    operands_of_.push(operand);
   }
 
   /// Lists the users of all values, grouped by value.
   constexpr void list_users() {
-    const int count = values_.size();
-    for (int k = 0; k < count; ++k) uses_[k] = 0;
-    for (int k = 0; k < count; ++k) {
-      if (rank_[k] != waiting) continue;
-      for (int i = first_operand_[k]; operands_[i] != none; ++i) {
-        ++uses_[operands_[i]];
-        if (rank_[operands_[i]] != done) ++waits_[k];
-      }
+    const auto& rank = ranks_.elements<is_constant>();
+    const auto& first_operand = first_operands_.elements<is_constant>();
+    const auto& operands = operands_.elements<is_constant>();
+    auto& use = uses_.elements<is_constant>();
+    auto& wait = waits_.elements<is_constant>();
+    auto& first_user = first_users_.elements<is_constant>();
+    for (int k = 0; k < count_; ++k) use[k] = 0;
+    for (int k = 0; k < count_; ++k) {
+      int missing = 0;
+      if (rank[k] == waiting)
+        for (int i = first_operand[k]; operands[i] != none; ++i) {
+          ++use[operands[i]];
+          if (rank[operands[i]] != done) ++missing;
+        }
+      wait[k] = missing;
     }
     int place = 0;
-    for (int k = 0; k < count; ++k) first_user_[k] = place += uses_[k];
-    first_user_[count] = place;
-    users_of_.resize(place);
-    users_ = users_of_.begin();
-    for (int k = count - 1; k >= 0; --k) {
-      if (rank_[k] != waiting) continue;
-      for (int i = first_operand_[k]; operands_[i] != none; ++i) users_[--first_user_[operands_[i]]] = k;
+    for (int k = 0; k < count_; ++k) first_user[k] = place += use[k];
+    first_user[count_] = place;
+    users_ = base::zeros<int>(place);
+    auto& users = users_.elements<is_constant>();
+    for (int i = 0; i < place; ++i) users[i] = 0;
+    for (int k = count_ - 1; k >= 0; --k) {
+      if (rank[k] != waiting) continue;
+      for (int i = first_operand[k]; operands[i] != none; ++i) users[--first_user[operands[i]]] = k;
     }
-    count_gains();
   }
 
   /// A list takes its elements over as soon as they are computed; it is not a use for which they stay live.
   constexpr void count_gains() {
-    const int count = values_.size();
-    for (int k = 0; k < count; ++k)
-      if (rank_[k] == waiting && is_list(k))
-        for (int i = first_operand_[k]; operands_[i] != none; ++i) --uses_[operands_[i]];
-    for (int k = 0; k < count; ++k) {
-      if (rank_[k] != waiting) continue;
-      int gain = uses_[k] > 0 ? 0 : 1;
-      if (!is_list(k))
-        for (int i = first_operand_[k]; operands_[i] != none; ++i)
-          if (uses_[operands_[i]] == 1) ++gain;
-      gain_[k] = gain;
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& value = values_.elements<is_constant>();
+    const auto& rank = ranks_.elements<is_constant>();
+    const auto& first_operand = first_operands_.elements<is_constant>();
+    const auto& operands = operands_.elements<is_constant>();
+    auto& use = uses_.elements<is_constant>();
+    auto& gain = gains_.elements<is_constant>();
+    for (int k = 0; k < count_; ++k)
+      if (rank[k] == waiting && nodes[value[k]].op == operation::pair)
+        for (int i = first_operand[k]; operands[i] != none; ++i) --use[operands[i]];
+    for (int k = 0; k < count_; ++k) {
+      int gained = 0;
+      if (rank[k] == waiting) {
+        gained = use[k] > 0 ? 0 : 1;
+        if (nodes[value[k]].op != operation::pair)
+          for (int i = first_operand[k]; operands[i] != none; ++i)
+            if (use[operands[i]] == 1) ++gained;
+      }
+      gain[k] = gained;
     }
   }
 
-  constexpr bool is_list(int k) const { return nodes_[values_[k]].op == operation::pair; }
-
   constexpr void offer(int k) {
-    if (nodes_[values_[k]].op == operation::symmetric_solve) {
+    if (g_.elements<is_constant>()[values_.elements<is_constant>()[k]].op == operation::symmetric_solve) {
       last_.push(k);
       return;
     }
-    const int rank = prospects * gain_[k] + prospect_[k], word = k / 64;
-    rank_[k] = rank;
-    ready_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
-    if (count_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
-    filled_ |= 1U << rank;
+    const int rank = prospects * gains_.elements<is_constant>()[k] + prospects_.elements<is_constant>()[k],
+              word = k / 64;
+    ranks_.elements<is_constant>()[k] = rank;
+    ready_.elements<is_constant>()[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
+    if (filled_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
+    is_filled_ |= 1U << rank;
   }
 
   constexpr void withdraw(int k) {
-    const int rank = rank_[k];
-    ready_[rank * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
-    if (--count_[rank] == 0) filled_ &= ~(1U << rank);
+    const int rank = ranks_.elements<is_constant>()[k];
+    ready_.elements<is_constant>()[rank * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+    if (--filled_[rank] == 0) is_filled_ &= ~(1U << rank);
   }
 
-  /// Returns the first step of a rank that has some.
-  constexpr int first_of(int rank) {
-    const int row = rank * words_;
-    const std::uint64_t* const ready = ready_ + row;
-    int word = first_[rank];
-    while (ready[word] == 0) ++word;
-    first_[rank] = word;
-    return 64 * word + __builtin_ctzll(ready[word]);
-  }
-
-  /// Removes and returns the best step that is ready.
-  constexpr int take() {
-    if (filled_ == 0) return next_of_last_ < last_.size() ? last_[next_of_last_++] : none;
-    const int rank = 31 - __builtin_clz(filled_);
-    int k = first_of(rank);
-    if (rank % prospects == 1 && live_ <= few && count_[rank - 1] != 0) {
-      const int other = first_of(rank - 1);
-      if (other < k) k = other;
-    }
-    withdraw(k);
-    return k;
-  }
-
-  constexpr void put(int k) {
-    const int id = values_[k];
-    if (joins_[k] != 0)
-      for (int product : {nodes_[id].a, nodes_[id].b})
-        if (place_[product] != none && rank_[place_[product]] == joined) {
-          order_.push(product);
-          rank_[place_[product]] = done;
+  /// Puts the best step that is ready, again and again, without calls, because compilers remember each.
+  constexpr void put_all() {
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& place = places_.elements<is_constant>();
+    const auto& value = values_.elements<is_constant>();
+    const auto& join = joins_.elements<is_constant>();
+    const auto& gain = gains_.elements<is_constant>();
+    const auto& first_operand = first_operands_.elements<is_constant>();
+    const auto& operands = operands_.elements<is_constant>();
+    const auto& first_user = first_users_.elements<is_constant>();
+    const auto& users = users_.elements<is_constant>();
+    const auto& prospect = prospects_.elements<is_constant>();
+    auto& ready = ready_.elements<is_constant>();
+    auto& use = uses_.elements<is_constant>();
+    auto& wait = waits_.elements<is_constant>();
+    auto& rank = ranks_.elements<is_constant>();
+    auto& order = order_.elements<is_constant>();
+    int next = 0, next_of_last = 0;
+    while (is_filled_ != 0 || next_of_last < last_.size()) {
+      int k = 0;
+      if (is_filled_ == 0) {
+        k = last_[next_of_last++];
+      } else {
+        int best = 31 - __builtin_clz(is_filled_), word = first_[best];
+        while (ready[best * words_ + word] == 0) ++word;
+        first_[best] = word;
+        k = 64 * word + __builtin_ctzll(ready[best * words_ + word]);
+        if (best % prospects == 1 && live_ <= few && filled_[best - 1] != 0) {
+          const int below = best - 1;
+          word = first_[below];
+          while (ready[below * words_ + word] == 0) ++word;
+          first_[below] = word;
+          const int other = 64 * word + __builtin_ctzll(ready[below * words_ + word]);
+          if (other < k) k = other, best = below;
         }
-    order_.push(id);
-    rank_[k] = done;
-    const int begin = first_user_[k], end = first_user_[k + 1];
-    if (uses_[k] > 0) ++live_;
-    for (int i = begin; i < end; ++i) {
-      const int missing = --waits_[users_[i]];
-      if (missing == 0) offer(users_[i]);
-      if (missing == 1) raise_missing_operand_of(users_[i]);
+        ready[best * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+        if (--filled_[best] == 0) is_filled_ &= ~(1U << best);
+      }
+      const int id = value[k];
+      if (join[k] != 0) {
+        for (int side = 0; side < 2; ++side) {
+          const int product = side == 0 ? nodes[id].a : nodes[id].b, joined_product = place[product] - 1;
+          if (joined_product == none || rank[joined_product] != joined) continue;
+          order[next++] = product;
+          rank[joined_product] = done;
+        }
+      }
+      order[next++] = id;
+      rank[k] = done;
+      if (use[k] > 0) ++live_;
+      for (int i = first_user[k], end = first_user[k + 1]; i < end; ++i) {
+        const int user = users[i], missing = wait[user] - 1;
+        wait[user] = missing;
+        if (missing == 1 && gain[user] > 0) raise_missing_operand_of(user);
+        if (missing != 0) continue;
+        if (nodes[value[user]].op == operation::symmetric_solve) {
+          last_.push(user);
+          continue;
+        }
+        const int own = prospects * gain[user] + prospect[user], word = user / 64;
+        rank[user] = own;
+        ready[own * words_ + word] |= std::uint64_t{1} << (user % 64);
+        if (filled_[own]++ == 0 || word < first_[own]) first_[own] = word;
+        is_filled_ |= 1U << own;
+      }
+      if (nodes[id].op == operation::pair) continue;
+      for (int i = first_operand[k]; operands[i] != none; ++i) {
+        const int operand = operands[i], left = use[operand] - 1;
+        use[operand] = left;
+        if (left == 1) favour_last_user_of(operand);
+        if (left == 0) --live_;
+      }
     }
-    if (is_list(k)) return;
-    for (int i = first_operand_[k]; operands_[i] != none; ++i) {
-      const int left = --uses_[operands_[i]];
-      if (left == 1) favour_last_user_of(operands_[i]);
-      if (left == 0) --live_;
-    }
+    ordered_ = next;
   }
 
-  constexpr void favour_last_user_of(int value) {
-    for (int i = first_user_[value]; i < first_user_[value + 1]; ++i) {
-      const int user = users_[i];
-      if (rank_[user] == done || is_list(user)) continue;
-      if (rank_[user] >= 0) withdraw(user);
-      ++gain_[user];
-      if (rank_[user] >= 0)
+  constexpr void favour_last_user_of(int of) {
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& value = values_.elements<is_constant>();
+    const auto& rank = ranks_.elements<is_constant>();
+    const auto& first_user = first_users_.elements<is_constant>();
+    const auto& users = users_.elements<is_constant>();
+    for (int i = first_user[of], end = first_user[of + 1]; i < end; ++i) {
+      const int user = users[i];
+      if (rank[user] == done || nodes[value[user]].op == operation::pair) continue;
+      const bool is_offered = rank[user] >= 0;
+      if (is_offered) withdraw(user);
+      ++gains_.elements<is_constant>()[user];
+      if (is_offered)
         offer(user);
-      else if (waits_[user] == 1)
+      else if (waits_.elements<is_constant>()[user] == 1)
         raise_missing_operand_of(user);
       return;
     }
@@ -248,43 +324,42 @@ private:
 
   /// Raises the prospect of the only operand for which a step waits.
   constexpr void raise_missing_operand_of(int k) {
-    const int prospect = gain_[k] < prospects ? gain_[k] : prospects - 1;
-    int i = first_operand_[k];
-    while (rank_[operands_[i]] == done) ++i;
-    const int operand = operands_[i];
-    if (prospect <= prospect_[operand]) return;
-    if (rank_[operand] >= 0) withdraw(operand);
-    prospect_[operand] = prospect;
-    if (rank_[operand] >= 0) offer(operand);
+    const auto& operands = operands_.elements<is_constant>();
+    const auto& rank = ranks_.elements<is_constant>();
+    const int gain = gains_.elements<is_constant>()[k], prospect = gain < prospects ? gain : prospects - 1;
+    int i = first_operands_.elements<is_constant>()[k];
+    while (rank[operands[i]] == done) ++i;
+    const int operand = operands[i];
+    if (prospect <= prospects_.elements<is_constant>()[operand]) return;
+    const bool is_offered = rank[operand] >= 0;
+    if (is_offered) withdraw(operand);
+    prospects_.elements<is_constant>()[operand] = prospect;
+    if (is_offered) offer(operand);
   }
 
-  const symbolic::node* nodes_;
-  sequence<int> place_of_; ///< the index among the values, by node
-  sequence<int> values_{}; ///< the nodes computed by steps
-  sequence<int> uses_of_{}, waits_for_{}, joined_to_{}, first_operand_of_{}, first_user_of_{}, rank_of_{};
-  sequence<int> gain_of_{}, prospect_of_{};
-  sequence<int> operands_of_{}, users_of_{};
-  sequence<std::uint64_t> ready_of_{}; ///< one bit per value, by rank
-  sequence<int> order_{};
-  sequence<int> last_{}; ///< symmetric systems, which wait until nothing else is ready
-  int next_of_last_ = 0;
-  int* place_;
-  int* uses_ = nullptr;          ///< remaining uses, by value
-  int* waits_ = nullptr;         ///< operands not yet available, by value
-  int* joins_ = nullptr;         ///< whether products are joined to it
-  int* first_operand_ = nullptr; ///< the index of its first operand
-  int* first_user_ = nullptr;    ///< the index of its first user
-  int* rank_ = nullptr;          ///< the rank if ready; otherwise the reason why it is not
-  int* gain_ = nullptr;          ///< one plus the number of values by which it shrinks the live set
-  int* prospect_ = nullptr;      ///< the best gain of a step that waits for it only, bounded
-  std::uint64_t* ready_ = nullptr;
-  int words_ = 0;            ///< the number of 64-bit words per rank
-  int live_ = 0;             ///< the number of values that steps still need
-  std::uint32_t filled_ = 0; ///< one bit per rank that has steps
-  int count_[ranks]{};       ///< the number of set bits
-  int first_[ranks]{};       ///< no preceding word has a set bit
-  const int* operands_ = nullptr;
-  int* users_ = nullptr;
+  const graph& g_;
+  base::zeros<int> places_; ///< one more than the index among the values, by node
+  base::zeros<int> values_; ///< the nodes computed by steps
+  // by value
+  base::zeros<int> uses_;               ///< remaining uses
+  base::zeros<int> waits_;              ///< operands not yet available
+  base::zeros<int> joins_;              ///< whether products are joined to it
+  base::zeros<int> first_operands_;     ///< the index of its first operand
+  base::zeros<int> first_users_;        ///< the index of its first user
+  base::zeros<int> ranks_;              ///< the rank if ready; otherwise the reason why it is not
+  base::zeros<int> gains_;              ///< one plus the number of values by which it shrinks the live set
+  base::zeros<int> prospects_;          ///< the best gain of a step that waits for it only, bounded
+  base::zeros<int> operands_, users_{}; ///< as indices among the values
+  base::zeros<std::uint64_t> ready_{};  ///< one bit per value, by rank
+  base::zeros<int> order_;
+  sequence<int> last_{};        ///< symmetric systems, which wait until nothing else is ready
+  int count_ = 0;               ///< the number of values
+  int ordered_ = 0;             ///< the number of those that are ordered
+  int words_ = 0;               ///< the number of 64-bit words per rank
+  int live_ = 0;                ///< the number of values that steps still need
+  std::uint32_t is_filled_ = 0; ///< one bit per rank that has steps
+  int filled_[ranks]{};         ///< the number of set bits
+  int first_[ranks]{};          ///< no preceding word has a set bit
 };
 
 } // namespace kanexpr::lower

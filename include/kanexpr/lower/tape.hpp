@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/zeros.hpp>
+#include <kanexpr/lower/instruction.hpp>
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/numeric/symmetric_columns.hpp>
@@ -14,49 +15,14 @@
 
 namespace kanexpr::lower {
 
-/// One step of straight-line code: slot = op(slot a, slot b).
-struct instruction {
-  operation op;
-  int a;
-  int b;
-  bool paired; ///< a sine followed by the cosine of its angle in the next slot, or that cosine
-};
-
-/// A step that fills several slots, either part of the solution of a linear system or a function call.
-/// Starting at `step`, it fills as many slots as its operation requires; the list of steps marks them as its
-/// components.
-struct linear_step {
-  operation op = operation::factorization;
-  int order = 0; ///< for a call: the number of operands
-  int step = 0;
-  int factors = 0;  ///< the first slot of the factorization that it uses; for a call: the index of the
-                    ///< function; for a symmetric system: the number of columns
-  int operands = 0; ///< the index of its first operand among those of all linear steps
-
-  constexpr int inputs() const {
-    if (op == operation::symmetric_solve) return numeric::symmetric_factors{order}.size() + order * factors;
-    return op == operation::factorization || op == operation::singularity_measure ? order * order : order;
-  }
-  constexpr int outputs() const {
-    if (op == operation::symmetric_solve) return order * factors;
-    if (op == operation::factorization) return numeric::factors{order}.size();
-    return op == operation::singularity_measure || op == operation::call ? 1 : order;
-  }
-};
-
-/// The source of the value of a slot that is filled before the first step.
-struct load {
-  symbolic::symbol_kind from{};
-  int position = 0;
-};
-
 /// Straight-line code: the constants, the arguments and the steps, whose values fill the slots in this order.
 /// It contains only the nodes that the outputs need.
 ///
 /// The sines and cosines of angles that do not depend on other functions are contiguous, `angle_count` pairs
 /// starting at step `first_angle`, so that one routine can compute them all.
-struct tape {
-  sequence<instruction> steps{};
+template <class Steps>
+struct basic_tape {
+  Steps steps{};
   sequence<symbolic::number> numbers{};
   sequence<load> loads{};
   sequence<int> results{}; ///< slots
@@ -70,92 +36,101 @@ struct tape {
   constexpr int slot_count() const { return first_step() + steps.size(); }
 };
 
+using tape = basic_tape<sequence<instruction>>;
+
+/// A tape that remains in constant evaluation.
+using constant_tape = basic_tape<constant_steps>;
+
 namespace detail {
 
-/// Orders the live nodes of a graph. The code accesses arrays directly because compilers interpret every
-/// call.
+/// Orders the live nodes of a graph. In constant evaluation, the loops access the arrays themselves
+/// (base::zeros explains why).
+template <bool is_constant, class Tape>
 class scheduling {
 public:
-  constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
-      : g_(g), live_(static_cast<sequence<char>&&>(live)), slots_(g.size(), none), outputs_(outputs),
-        nodes_(g.begin()), is_live_(live_.begin()), slot_(slots_.begin()) {
+  constexpr scheduling(const graph& g, base::zeros<char>&& live, const sequence<int>& outputs)
+      : g_(g), live_(static_cast<base::zeros<char>&&>(live)), slots_(g.size()), listed_(2 * g.size()),
+        outputs_(outputs) {
     list_live(g.size());
   }
   scheduling(const scheduling&) = delete;
   scheduling& operator=(const scheduling&) = delete;
 
-  constexpr tape run() {
+  constexpr Tape run() {
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& listed = listed_.elements<is_constant>();
+    auto& slot = slots_.elements<is_constant>();
+    if (is_constant)
+      for (int id = 0; id < g_.size(); ++id) slot[id] = 0;
     sequence<int> symbols;
-    for (int id : nodes_in_order_) {
-      if (nodes_[id].op > operation::symbol) continue;
-      if (nodes_[id].op == operation::symbol)
+    for (int i = 0; i < count_; ++i) {
+      const int id = listed[i];
+      if (nodes[id].op > operation::symbol) continue;
+      if (nodes[id].op == operation::symbol)
         symbols.push(id);
       else
-        slot_[id] = tape_.numbers.push(g_.number_at(id));
+        slot[id] = tape_.numbers.push(g_.number_at(id)) + 1;
     }
     for (int id : symbols) {
       const symbolic::symbol& s = g_.symbol_at(id);
-      slot_[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position});
+      slot[id] = tape_.numbers.size() + tape_.loads.push({s.kind, s.position}) + 1;
     }
     first_step_ = tape_.first_step();
-    tape_.steps.reserve(nodes_in_order_.size());
     gather_angles();
-    const sequence<int> order = step_order(g_, nodes_in_order_, slots_, outputs_).run();
-    for (int id : order)
-      if (slot_[id] == none) put(id);
-    for (int id : outputs_) tape_.results.push(slot_[id]);
-    return static_cast<tape&&>(tape_);
+    step_order<is_constant> ordered(g_, listed_, count_, slots_, outputs_);
+    const base::zeros<int>& order = ordered.run();
+    put_all(order, ordered.size());
+    for (int id : outputs_) tape_.results.push(slot[id] - 1);
+    return static_cast<Tape&&>(tape_);
   }
 
 private:
-  static constexpr int none = -1;
-
   /// Lists the live nodes, including the sines and cosines from which tangents are computed.
   constexpr void list_live(int end) {
-    int count = 0;
-    for (int id = 0; id < end; ++id) {
-      if (is_live_[id] == 0) continue;
-      ++count;
-      if (nodes_[id].op != operation::tan || !has_either(id)) continue;
-      for (int part : {sine_of(id), cosine_of(id)}) {
-        if (is_live_[part] == 0 && part < id) ++count; // the others are encountered later
-        is_live_[part] = 1;
-      }
-    }
-    nodes_in_order_.resize(count);
-    int* next = nodes_in_order_.begin();
+    const auto& nodes = g_.elements<is_constant>();
+    auto& live = live_.elements<is_constant>();
+    auto& listed = listed_.elements<is_constant>();
     for (int id = 0; id < end; ++id)
-      if (is_live_[id] != 0) *next++ = id;
+      if (live[id] != 0 && nodes[id].op == operation::tan && has_either(id))
+        live[sine_of(id)] = live[cosine_of(id)] = 1;
+    int count = 0;
+    for (int id = 0; id < end; ++id)
+      if (live[id] != 0) listed[count++] = id;
+    count_ = count;
   }
 
-  constexpr int sine_of(int id) const { return g_.find({operation::sin, nodes_[id].a, 0}); }
-  constexpr int cosine_of(int id) const { return g_.find({operation::cos, nodes_[id].a, 0}); }
+  constexpr int slot_of(int id) const { return slots_.elements<is_constant>()[id] - 1; }
+  constexpr int sine_of(int id) const { return g_.find({operation::sin, g_[id].a, 0}); }
+  constexpr int cosine_of(int id) const { return g_.find({operation::cos, g_[id].a, 0}); }
   static constexpr bool is_circular(operation op) {
     return op == operation::sin || op == operation::cos || op == operation::tan;
   }
   constexpr bool has_either(int id) const {
     const int s = sine_of(id), c = cosine_of(id);
-    return s >= 0 && c >= 0 && (is_live_[s] != 0 || is_live_[c] != 0);
+    return s >= 0 && c >= 0 && (live_[s] != 0 || live_[c] != 0);
   }
   constexpr bool has_both(int id) const {
     const int s = sine_of(id), c = cosine_of(id);
-    return s >= 0 && c >= 0 && is_live_[s] != 0 && is_live_[c] != 0;
+    return s >= 0 && c >= 0 && live_[s] != 0 && live_[c] != 0;
   }
 
   /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& listed = listed_.elements<is_constant>();
     // whether a node does not depend on any function: sums and products of arguments
     base::zeros<char> is_free(slots_.size());
-    char* const free = is_free.begin();
+    auto& free = is_free.elements<is_constant>();
     sequence<int> gathered;
-    for (int id : nodes_in_order_) {
-      const symbolic::node& n = nodes_[id];
-      if (n.op <= operation::symbol)
+    for (int i = 0; i < count_; ++i) {
+      const int id = listed[i];
+      const operation op = nodes[id].op;
+      if (op <= operation::symbol) {
         free[id] = 1;
-      else if (n.op <= operation::divide)
-        free[id] = free[n.a] != 0 && (n.op == operation::negate || free[n.b] != 0);
-      else if (n.op == operation::sin && free[n.a] != 0 && has_both(id)) {
-        put_with_operands(n.a);
+      } else if (op <= operation::divide) {
+        if (free[nodes[id].a] != 0 && (op == operation::negate || free[nodes[id].b] != 0)) free[id] = 1;
+      } else if (op == operation::sin && free[nodes[id].a] != 0 && has_both(id)) {
+        put_with_operands(nodes[id].a);
         gathered.push(id);
       }
     }
@@ -165,46 +140,60 @@ private:
   }
 
   constexpr void put_with_operands(int id) {
-    if (slot_[id] != none) return;
-    put_with_operands(nodes_[id].a);
-    if (symbolic::is_binary(nodes_[id].op)) put_with_operands(nodes_[id].b);
+    if (slot_of(id) >= 0) return;
+    put_with_operands(g_[id].a);
+    if (symbolic::is_binary(g_[id].op)) put_with_operands(g_[id].b);
     put(id);
+  }
+
+  /// Assigns steps to nodes in order; most of them are operations on two slots.
+  constexpr void put_all(const base::zeros<int>& in_order, int count) {
+    const auto& nodes = g_.elements<is_constant>();
+    const auto& order = in_order.elements<is_constant>();
+    auto& slot = slots_.elements<is_constant>();
+    for (int i = 0; i < count; ++i) {
+      const int id = order[i];
+      if (slot[id] != 0) continue;
+      const operation op = nodes[id].op;
+      if (op > operation::divide)
+        put(id);
+      else if (op == operation::negate)
+        slot[id] = step(op, slot[nodes[id].a] - 1, 0) + 1;
+      else
+        slot[id] = step(op, slot[nodes[id].a] - 1, slot[nodes[id].b] - 1) + 1;
+    }
   }
 
   /// Assigns a step to a node whose operands already have steps. The sine and the cosine of one angle become
   /// one step, and a tangent whose sine or cosine is needed anyway becomes a division.
   constexpr void put(int id) {
-    const symbolic::node& n = nodes_[id];
-    if (n.op <= operation::divide) {
-      const int b = n.op == operation::negate ? 0 : slot_[n.b];
-      slot_[id] = first_step_ + tape_.steps.push({n.op, slot_[n.a], b, false});
-      return;
-    }
+    auto& slot = slots_.elements<is_constant>();
+    const symbolic::node& n = g_[id];
     if (n.op >= operation::pair) return put_solving(id, n);
     if (is_circular(n.op) && has_both(id)) {
-      const int s = sine_of(id), c = cosine_of(id);
-      if (slot_[s] == none) {
-        slot_[s] = step({operation::sin, slot_[n.a], 0, true});
-        slot_[c] = step({operation::cos, slot_[n.a], 0, true});
+      const int s = sine_of(id), c = cosine_of(id), angle = slot_of(n.a);
+      if (slot[s] == 0) {
+        slot[s] = step(operation::sin, angle, 0, true) + 1;
+        slot[c] = step(operation::cos, angle, 0, true) + 1;
       }
-      if (n.op == operation::tan) slot_[id] = step({operation::divide, slot_[s], slot_[c], false});
+      if (n.op == operation::tan) slot[id] = step(operation::divide, slot_of(s), slot_of(c)) + 1;
       return;
     }
-    const int b = symbolic::is_binary(n.op) ? slot_[n.b] : 0;
-    slot_[id] = step({n.op, slot_[n.a], b, false});
+    const int b = n.op != operation::negate && symbolic::is_binary(n.op) ? slot_of(n.b) : 0;
+    slot[id] = step(n.op, slot_of(n.a), b) + 1;
   }
 
   constexpr void put_solving(int id, const symbolic::node& n) {
     if (n.op == operation::pair) return;
     if (n.op == operation::component) {
-      slot_[id] = slot_[n.a] + symbolic::integer_at(g_, n.b);
+      slots_[id] = slots_[n.a] + symbolic::integer_at(g_, n.b);
       return;
     }
     if (n.op == operation::call) return put_call(id, symbolic::elements_of(g_, n.a));
     if (n.op == operation::symmetric_solve) return put_columns(id, symbolic::symmetric_columns(g_, n));
     const bool factorizes = n.op == operation::factorization;
     const linear_step added{n.op, symbolic::order_of(g_, factorizes ? id : n.a), tape_.steps.size(),
-                            factorizes ? 0 : slot_[n.a], tape_.operands.size()};
+                            factorizes ? 0 : slot_of(n.a), tape_.operands.size()};
     sequence<int> inputs;
     if (factorizes)
       inputs = symbolic::entries_of(g_, id);
@@ -222,10 +211,10 @@ private:
   }
 
   constexpr void put_linear_step(int id, const linear_step& added, const sequence<int>& inputs) {
-    for (int input : inputs) tape_.operands.push(slot_[input]);
+    for (int input : inputs) tape_.operands.push(slot_of(input));
     tape_.linear_steps.push(added);
-    slot_[id] = first_step_ + added.step;
-    for (int i = 0; i < added.outputs(); ++i) step({operation::component, 0, 0, false});
+    slots_[id] = first_step_ + added.step + 1;
+    for (int i = 0; i < added.outputs(); ++i) step(operation::component, 0, 0);
   }
 
   constexpr void put_call(int id, const sequence<int>& operands) {
@@ -234,34 +223,56 @@ private:
     if (which < 0) which = tape_.externals.push(f);
     tape_.linear_steps.push(
         {operation::call, operands.size(), tape_.steps.size(), which, tape_.operands.size()});
-    for (int operand : operands) tape_.operands.push(slot_[operand]);
-    slot_[id] = step({operation::component, 0, 0, false});
+    for (int operand : operands) tape_.operands.push(slot_of(operand));
+    slots_[id] = step(operation::component, 0, 0) + 1;
   }
 
-  constexpr int step(const instruction& added) { return first_step_ + tape_.steps.push(added); }
+  /// Adds a step and returns its slot.
+  constexpr int step(operation op, int a, int b, bool is_paired = false) {
+    if constexpr (requires(Tape t) { t.steps.count; }) {
+      constant_steps& all = tape_.steps;
+      const int i = all.count++;
+      all.op.elements<is_constant>()[i] = op;
+      all.a.elements<is_constant>()[i] = a;
+      all.b.elements<is_constant>()[i] = b;
+      if (is_paired) all.paired.elements<is_constant>()[i] = 1;
+      return first_step_ + i;
+    } else {
+      return first_step_ + tape_.steps.push({op, a, b, is_paired});
+    }
+  }
 
   const graph& g_;
-  sequence<char> live_;
-  sequence<int> slots_;
+  base::zeros<char> live_;
+  base::zeros<int> slots_;  ///< one more than the slot of each node
+  base::zeros<int> listed_; ///< the live nodes
   const sequence<int>& outputs_;
-  const symbolic::node* nodes_;
-  char* is_live_;
-  int* slot_;                      ///< the slot of each node
-  sequence<int> nodes_in_order_{}; ///< the live nodes
+  int count_ = 0; ///< the number of live nodes
   int first_step_ = 0;
-  tape tape_{};
+  Tape tape_{};
 };
+
+template <bool is_constant, class Tape>
+constexpr Tape tape_from(graph& g, const sequence<int>& outputs) {
+  base::zeros<char> live = symbolic::live_nodes(g, outputs);
+  if (!symbolic::has_linear_systems(g, live))
+    return scheduling<is_constant, Tape>(g, static_cast<base::zeros<char>&&>(live), outputs).run();
+  const sequence<int> expanded = symbolic::expand_solves(g, outputs);
+  return scheduling<is_constant, Tape>(g, symbolic::live_nodes(g, expanded), expanded).run();
+}
 
 } // namespace detail
 
 /// Builds the tape that computes the outputs of a graph. Small linear systems are first expanded in the
 /// graph.
 constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
-  sequence<char> live = symbolic::live_nodes(g, outputs);
-  if (!symbolic::has_linear_systems(g, live))
-    return detail::scheduling(g, static_cast<sequence<char>&&>(live), outputs).run();
-  const sequence<int> expanded = symbolic::expand_solves(g, outputs);
-  return detail::scheduling(g, symbolic::live_nodes(g, expanded), expanded).run();
+  return __builtin_is_constant_evaluated() ? detail::tape_from<true, tape>(g, outputs)
+                                           : detail::tape_from<false, tape>(g, outputs);
+}
+
+/// The same, for constant evaluation only.
+constexpr constant_tape constant_tape_from(graph& g, const sequence<int>& outputs) {
+  return detail::tape_from<true, constant_tape>(g, outputs);
 }
 
 /// Builds the tape without changing the graph.
@@ -272,30 +283,44 @@ constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
 
 namespace detail {
 
-/// The number of sums that can be evaluated together with a product that nothing else uses. The code calls no
-/// functions, because compilers interpret and remember every call.
-constexpr int fused_sums(const tape& t) {
+/// One member of all steps.
+template <auto member>
+struct step_member {
+  const instruction* steps;
+  constexpr auto operator[](int i) const { return steps[i].*member; }
+};
+
+/// Counts operations, and the sums that can be evaluated together with a product that nothing else uses. The
+/// code calls no functions, because compilers interpret and remember every call.
+template <class Operations, class Operands, class Pairs, class Uses, class Tape>
+constexpr void count_steps(const Operations& op, const Operands& a, const auto& b, const Pairs& paired,
+                           Uses& uses, const Tape& t, symbolic::cost& total) {
   constexpr operation add = operation::add, subtract = operation::subtract, multiply = operation::multiply;
-  sequence<int> all_uses(t.slot_count(), 0);
-  int* const uses = all_uses.begin();
-  const instruction *const steps = t.steps.begin(), *const end = t.steps.end();
-  for (const instruction* s = steps; s != end; ++s) {
-    if (s->op >= operation::component) continue; // its operands are listed
-    ++uses[s->a];
-    ++uses[s->b]; // the slot of a number or an argument for operations with one operand
+  const int count = t.steps.size(), first = t.first_step();
+  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // the number of steps of each operation
+  for (int i = 0; i < t.slot_count(); ++i) uses[i] = 0;
+  int repeated = 0;
+  for (int i = 0; i < count; ++i) {
+    ++times[static_cast<int>(op[i])];
+    if (op[i] >= operation::component) continue; // its operands are listed
+    ++uses[a[i]];
+    ++uses[b[i]]; // the slot of a number or an argument for operations with one operand
+    if (op[i] == operation::cos && paired[i]) ++repeated;
   }
   for (int slot : t.operands) ++uses[slot];
   for (int slot : t.results) ++uses[slot];
-  const int first = t.first_step();
   int fused = 0;
-  for (const instruction* s = steps; s != end; ++s) {
-    if (s->op != add && s->op != subtract) continue;
-    const int a = s->a, b = s->b;
-    if ((a >= first && uses[a] == 1 && steps[a - first].op == multiply) ||
-        (b >= first && uses[b] == 1 && steps[b - first].op == multiply))
+  for (int i = 0; i < count; ++i) {
+    if (op[i] != add && op[i] != subtract) continue;
+    const int one = a[i], other = b[i];
+    if ((one >= first && uses[one] == 1 && op[one - first] == multiply) ||
+        (other >= first && uses[other] == 1 && op[other - first] == multiply))
       ++fused;
   }
-  return fused;
+  for (int each = 0; each < static_cast<int>(operation::component); ++each)
+    total.count(static_cast<operation>(each), times[each]);
+  total.trigonometric -= repeated;
+  total.fused += fused;
 }
 
 } // namespace detail
@@ -322,7 +347,8 @@ constexpr numeric::column_steps column_steps_of(const Code& code, const linear_s
 }
 
 /// Returns the cost of one evaluation of a tape.
-constexpr symbolic::cost cost_of(const tape& t) {
+template <class Steps>
+constexpr symbolic::cost cost_of(const basic_tape<Steps>& t) {
   symbolic::cost total;
   for (const linear_step& e : t.linear_steps) {
     if (e.op == operation::factorization)
@@ -336,14 +362,21 @@ constexpr symbolic::cost cost_of(const tape& t) {
     else
       total.count_substitution(e.order);
   }
-  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // the number of steps of each operation
-  for (const instruction& step : t.steps) {
-    ++times[static_cast<int>(step.op)];
-    if (step.op == operation::cos && step.paired) --total.trigonometric;
+  base::zeros<int> uses(t.slot_count());
+  if constexpr (requires { t.steps.count; }) {
+    detail::count_steps(t.steps.op.template elements<true>(), t.steps.a.template elements<true>(),
+                        t.steps.b.template elements<true>(), t.steps.paired.template elements<true>(),
+                        uses.elements<true>(), t, total);
+  } else {
+    using detail::step_member;
+    const instruction* const all = t.steps.begin();
+    const step_member<&instruction::op> op{all};
+    const step_member<&instruction::a> a{all};
+    const step_member<&instruction::b> b{all};
+    const step_member<&instruction::paired> paired{all};
+    int* const use = uses.begin();
+    detail::count_steps(op, a, b, paired, use, t, total);
   }
-  for (int op = 0; op < static_cast<int>(operation::component); ++op)
-    total.count(static_cast<operation>(op), times[op]);
-  total.fused += detail::fused_sums(t);
   return total;
 }
 

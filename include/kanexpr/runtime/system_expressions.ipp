@@ -96,7 +96,7 @@ inline base::sentence check_unused_symbols(const mechanics::multibody_system& sy
   each(system.loads);
   each(system.constraints);
   each(elsewhere);
-  base::sequence<char> used = symbolic::live_nodes(*m.g, nodes);
+  base::zeros<char> used = symbolic::live_nodes(*m.g, nodes);
   for (int i = 0; i < 2; ++i) // toward higher rates, then back
     for (const mechanics::prescribed_rate& p : m.prescribed_rates) {
       char &quantity = used[p.quantity.node()], &rate = used[p.rate.node()];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/numeric/symmetric_columns.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -97,20 +98,16 @@ private:
 namespace detail {
 
 /// How often each live node is used.
-constexpr sequence<int> uses_of_nodes(const graph& g, const sequence<char>& live,
-                                      const sequence<int>& outputs) {
-  sequence<int> uses(g.size(), 0);
-  int* const use = uses.begin(); // compilers interpret every call
-  const char* const is_live = live.begin();
-  const node* const nodes = g.begin();
-  for (int id = 0, end = live.size(); id < end; ++id) {
-    const node& n = nodes[id];
-    if (is_live[id] == 0 || is_leaf(n.op)) continue;
-    ++use[n.a];
-    if (is_binary(n.op) && !has_index_operand(n.op)) ++use[n.b];
+template <class Nodes, class Marks, class Uses>
+constexpr void count_uses(const Nodes& nodes, const Marks& live, Uses& uses, int end) {
+  for (int id = 0; id < end; ++id) {
+    if (live[id] == 0) continue;
+    const operation op = nodes[id].op;
+    if (op <= operation::symbol) continue; // a leaf
+    ++uses[nodes[id].a];
+    if (op <= operation::power ? op != operation::negate : is_binary(op) && !has_index_operand(op))
+      ++uses[nodes[id].b];
   }
-  for (int id : outputs) ++uses[id];
-  return uses;
 }
 
 constexpr void count_columns(const graph& g, const node& n, cost& total) {
@@ -118,33 +115,39 @@ constexpr void count_columns(const graph& g, const node& n, cost& total) {
   total.count_columns(system.steps(), system.columns);
 }
 
+template <bool is_constant>
 constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
-  const sequence<char> live = live_nodes(g, outputs);
-  const sequence<int> uses = uses_of_nodes(g, live, outputs);
-  const char* const is_live = live.begin(); // pointers, because compilers interpret every call
-  const int* const use = uses.begin();
-  const node* const nodes = g.begin();
+  const base::zeros<char> marks = live_nodes(g, outputs);
+  base::zeros<int> uses(g.size());
+  const auto& nodes = g.elements<is_constant>();
+  const auto& live = marks.elements<is_constant>();
+  auto& use = uses.elements<is_constant>();
+  const int end = marks.size();
+  count_uses(nodes, live, use, end);
+  for (int id : outputs) ++use[id];
   cost total;
   int products = 0, sums = 0, signs = 0, fused = 0; // most operations
-  for (int id = 0, end = live.size(); id < end; ++id) {
-    if (is_live[id] == 0) continue;
-    const node& n = nodes[id];
-    if (n.op <= operation::symbol) continue; // a leaf
-    if (n.op == operation::multiply) {
+  for (int id = 0; id < end; ++id) {
+    if (live[id] == 0) continue;
+    const operation op = nodes[id].op;
+    if (op <= operation::symbol) continue; // a leaf
+    if (op == operation::multiply) {
       ++products;
       continue;
     }
-    if (n.op == operation::add || n.op == operation::subtract) {
+    if (op == operation::add || op == operation::subtract) {
       ++sums;
-      if ((nodes[n.a].op == operation::multiply && use[n.a] == 1) ||
-          (nodes[n.b].op == operation::multiply && use[n.b] == 1))
+      const int a = nodes[id].a, b = nodes[id].b;
+      if ((nodes[a].op == operation::multiply && use[a] == 1) ||
+          (nodes[b].op == operation::multiply && use[b] == 1))
         ++fused; // with a product that nothing else uses
       continue;
     }
-    if (n.op == operation::negate) {
+    if (op == operation::negate) {
       ++signs;
       continue;
     }
+    const node n = nodes[id];
     if (n.op < operation::pair || n.op == operation::call)
       total.count(n.op);
     else if (n.op == operation::factorization)
@@ -157,13 +160,17 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
       total.count_singularity_measure(order_of(g, n.a));
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
-    if (sine >= 0 && is_live[sine] != 0) --total.trigonometric;
+    if (sine >= 0 && live[sine] != 0) --total.trigonometric;
   }
   total.count(operation::multiply, products);
   total.count(operation::add, sums);
   total.count(operation::negate, signs);
   total.fused += fused;
   return total;
+}
+constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
+  return __builtin_is_constant_evaluated() ? cost_of_written_out<true>(g, outputs)
+                                           : cost_of_written_out<false>(g, outputs);
 }
 
 } // namespace detail

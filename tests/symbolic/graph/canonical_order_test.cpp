@@ -31,7 +31,7 @@ struct sum_in_a_graph {
 TEST(reverse_topological_order, has_each_node_once_before_its_operands) {
   sum_in_a_graph s(2);
   const sequence<int> order = s.order();
-  const sequence<char> live = live_nodes(s.g, {s.f.node()});
+  const auto live = live_nodes(s.g, {s.f.node()});
   int count = 0;
   for (int id = 0; id < s.g.size(); ++id) count += live[id];
   EXPECT_EQ(order.size(), count);

@@ -25,7 +25,7 @@ sequence<expression> solved(bool transposed, expression factors, const sequence<
 }
 
 int count(const graph& g, operation op, const sequence<int>& outputs) {
-  const sequence<char> live = live_nodes(g, outputs);
+  const auto live = live_nodes(g, outputs);
   int found = 0;
   for (int id = 0; id < g.size(); ++id)
     if (live[id] != 0 && g[id].op == op) ++found;

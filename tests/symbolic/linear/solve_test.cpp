@@ -238,7 +238,7 @@ TEST(solve_linear, divides_where_one_unknown_is_left) {
   sequence<int> outputs = nodes_of(both.x.entries);
   EXPECT_EQ(cost_of(g, outputs).divisions, 2);
 
-  const sequence<char> live = live_nodes(g, {single.x(0, 0).node()});
+  const auto live = live_nodes(g, {single.x(0, 0).node()});
   EXPECT_TRUE(depends_on_block(g, live, a.node()));
   EXPECT_FALSE(depends_on_block(g, live, b.node())); // it is needed, but not as a divisor
 }

@@ -35,7 +35,7 @@ public:
   /// Adds the equations that `simple` represents; called after all other equations have been read.
   constexpr void add_simple() {
     if (!has_simple_ || reading_.mistake) return;
-    const sequence<char> live = symbolic::live_nodes(*m_.g, symbolic::nodes_of(m_.kinematics));
+    const base::zeros<char> live = symbolic::live_nodes(*m_.g, symbolic::nodes_of(m_.kinematics));
     const auto left_out = [&](const sequence<expression>& symbols, int size) {
       sequence<int> places;
       for (int i = 0; i < size; ++i)

@@ -15,7 +15,7 @@ namespace kanexpr::mechanics {
 constexpr base::sentence check_derivatives(const symbolic::matrix& result) {
   if (result.entries.empty() || result.entries[0].owner().externals().empty()) return {};
   const symbolic::graph& g = result.entries[0].owner();
-  const base::sequence<char> live = symbolic::live_nodes(g, symbolic::nodes_of(result.entries));
+  const base::zeros<char> live = symbolic::live_nodes(g, symbolic::nodes_of(result.entries));
   constexpr const char* which[]{"", "", "second ", "third ", "fourth "};
   for (int id = 0; id < live.size(); ++id) {
     if (live[id] == 0 || g[id].op != symbolic::operation::call) continue;

@@ -29,7 +29,7 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
       for (const expression& e : f.scalars()) collect(e);
   if (acting.has_lagrangian) collect(acting.lagrangian);
   if (nodes.empty()) return false;
-  const sequence<char> live = symbolic::live_nodes(*m.g, nodes);
+  const base::zeros<char> live = symbolic::live_nodes(*m.g, nodes);
   const char* const is_live = live.begin(); // pointers, because compilers interpret every call
   const symbolic::node* const all = m.g->begin();
   for (int id = 0, end = live.size(); id < end; ++id)

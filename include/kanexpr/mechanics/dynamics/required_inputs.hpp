@@ -33,7 +33,7 @@ constexpr required_inputs inputs_for(const mechanism& m, const sequence<expressi
   symbolic::substitution without_inputs(*m.g);
   for (const expression& r : m.inputs) without_inputs.replace(r, m.zero());
   for (int i = 0; i < speeds; ++i) others(i, 0) = -without_inputs.in(forces[i]);
-  const sequence<char> live = symbolic::live_nodes(*m.g, symbolic::nodes_of(on_inputs.entries));
+  const base::zeros<char> live = symbolic::live_nodes(*m.g, symbolic::nodes_of(on_inputs.entries));
   for (const expression& r : m.inputs)
     if (live[r.node()] != 0)
       return {sentence(

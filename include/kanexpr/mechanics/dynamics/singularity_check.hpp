@@ -120,7 +120,7 @@ constexpr sequence<singularity_check> live_checks(const graph& g, const sequence
                                                   const sequence<int>& outputs) {
   sequence<singularity_check> live;
   if (all.empty()) return live;
-  const sequence<char> needed = symbolic::live_nodes(g, outputs);
+  const base::zeros<char> needed = symbolic::live_nodes(g, outputs);
   for (const singularity_check& each : all)
     if (symbolic::depends_on_block(g, needed, each.key)) live.push(each);
   return live;

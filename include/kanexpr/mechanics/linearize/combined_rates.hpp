@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -29,21 +30,21 @@ constexpr sequence<combined_rate> combined_rates(const sequence<expression>& equ
   if (equations.empty()) return found;
   symbolic::graph& g = equations[0].owner();
   const sequence<int> outputs = symbolic::nodes_of(equations);
-  const sequence<char> live = symbolic::live_nodes(g, outputs);
+  const base::zeros<char> live = symbolic::live_nodes(g, outputs);
   constexpr int several = -1;
   // for each live node, its only user; and whether it depends on any rate
-  sequence<int> users(live.size(), 0);
-  sequence<char> with_rates(live.size(), 0);
+  base::zeros<int> users(live.size());
+  base::zeros<char> with_rates(live.size());
   for (const expression& rate : rates)
     if (rate.node() < live.size()) with_rates[rate.node()] = 1;
-  const auto use = [&](int id, int by) { users[id] = users[id] == 0 ? by : several; };
   for (int id = 0; id < live.size(); ++id) {
+    if (live[id] == 0) continue;
     const symbolic::node& n = g[id];
-    if (live[id] == 0 || symbolic::is_leaf(n.op)) continue;
-    use(n.a, id);
-    with_rates[id] = with_rates[n.a];
+    if (symbolic::is_leaf(n.op)) continue;
+    users[n.a] = users[n.a] == 0 ? id : several;
+    if (with_rates[n.a] != 0) with_rates[id] = 1;
     if (!symbolic::is_binary(n.op)) continue;
-    use(n.b, id);
+    users[n.b] = users[n.b] == 0 ? id : several;
     if (with_rates[n.b] != 0) with_rates[id] = 1;
   }
   for (int id : outputs) users[id] = several;

@@ -337,7 +337,7 @@ private:
 
   /// The number of state directions on which the expressions `of` depend.
   constexpr int active_directions(const sequence<expression>& of) const {
-    const sequence<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
+    const base::zeros<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
     const auto is_live = [&](expression symbol) -> expression {
       return {g_, live[symbol.node()] != 0 ? graph::one : graph::zero};
     };

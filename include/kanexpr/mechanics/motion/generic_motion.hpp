@@ -79,7 +79,8 @@ public:
 
   /// Evaluates the motion for arbitrary coordinate rates, without the kinematic equations.
   constexpr bool move_freely() {
-    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), random_.next() - 0.5);
+    for (const expression& rate : m_.coordinate_rates) symbols_[rate.node()].value = random_.next() - 0.5;
+    follow_rates();
     return evaluate();
   }
 
@@ -171,10 +172,13 @@ private:
     return is_defined(f.angular_velocity);
   }
 
-  constexpr void set_rate(int rate, double value) {
-    symbols_[rate].value = value;
-    const int q = m_.coordinate_rates.find({g_, rate});
-    symbols_[m_.coordinates[q].node()].rate = value;
+  constexpr void set_rates(double value) {
+    for (const expression& rate : m_.coordinate_rates) symbols_[rate.node()].value = value;
+  }
+  /// Moves the coordinates at the rates that were set.
+  constexpr void follow_rates() {
+    for (int q = 0; q < m_.coordinates.size(); ++q)
+      symbols_[m_.coordinates[q].node()].rate = symbols_[m_.coordinate_rates[q].node()].value;
   }
 
   /// Normalizes a quaternion if its four entries are symbols.
@@ -190,11 +194,11 @@ private:
   /// Solves the kinematic equations, which are linear in the rates; most contain a single rate.
   constexpr bool solve_for_rates() {
     const int n = m_.kinematics.size();
-    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
+    set_rates(0);
     const sequence<double> at_rest = residuals();
-    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 1);
+    set_rates(1);
     const sequence<double> at_one = residuals();
-    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
+    set_rates(0);
     sequence<int> coupled, known, unknown;
     for (int i = 0; i < n; ++i) {
       if (rates_[i].size() != 1) {
@@ -203,12 +207,14 @@ private:
       }
       if (base::equal(at_one[i], at_rest[i])) return false;
       known.push(rates_[i][0]);
-      set_rate(known.back(), -at_rest[i] / (at_one[i] - at_rest[i]));
+      symbols_[known.back()].value = -at_rest[i] / (at_one[i] - at_rest[i]);
     }
     for (int i : coupled)
       for (int rate : rates_[i])
         if (!known.contains(rate) && !unknown.contains(rate)) unknown.push(rate);
-    return unknown.size() == coupled.size() && (coupled.empty() || solve_for(unknown, coupled));
+    if (unknown.size() != coupled.size() || (!coupled.empty() && !solve_for(unknown, coupled))) return false;
+    follow_rates();
+    return true;
   }
   constexpr bool solve_for(const sequence<int>& unknown, const sequence<int>& coupled) {
     const int order = unknown.size();
@@ -217,15 +223,15 @@ private:
     const sequence<double> base = residuals();
     for (int i : coupled) x.push(-base[i]);
     for (int j = 0; j < order; ++j) {
-      set_rate(unknown[j], 1);
+      symbols_[unknown[j]].value = 1;
       const sequence<double> moved = residuals();
-      set_rate(unknown[j], 0);
+      symbols_[unknown[j]].value = 0;
       for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
     }
     numeric::factorize<numeric::constant_elimination_math>(order, &f[0]);
     if (!(f[place.least_pivot()] > 0)) return false;
     numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &x[0]);
-    for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
+    for (int j = 0; j < order; ++j) symbols_[unknown[j]].value = x[j];
     return true;
   }
   constexpr sequence<double> residuals() {

@@ -136,7 +136,7 @@ private:
   }
 
   constexpr bool holds_parameter(expression e) const {
-    const sequence<char> live = symbolic::live_nodes(g_, {e.node()});
+    const base::zeros<char> live = symbolic::live_nodes(g_, {e.node()});
     for (int id = 0; id < live.size(); ++id)
       if (live[id] != 0 && g_[id].op == operation::symbol &&
           g_.symbol_at(id).kind == symbolic::symbol_kind::parameter)

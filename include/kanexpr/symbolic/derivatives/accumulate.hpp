@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -19,36 +20,26 @@ namespace kanexpr::symbolic {
 /// call `run` once, then query the gradient with respect to any symbol; `restart` prepares for other
 /// weights.
 class accumulation {
-public:
-  constexpr accumulation(graph& g, const sequence<expression>& outputs)
-      : graph_(g), adjoints_(g.size(), graph::zero), uses_(g.size(), 0),
-        order_(reverse_topological_order(g, nodes_of(outputs))) {
-    for (const expression& e : outputs) ++uses_[e.node()];
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class Uses>
+  constexpr void count_uses(const Nodes& nodes, Uses& uses) const {
     for (int id : order_) {
-      const node& n = g[id];
-      if (is_leaf(n.op)) continue;
-      ++uses_[n.a];
-      if (is_binary(n.op)) ++uses_[n.b];
+      const operation op = nodes[id].op;
+      if (is_leaf(op)) continue;
+      ++uses[nodes[id].a];
+      if (is_binary(op)) ++uses[nodes[id].b];
     }
   }
 
-  constexpr void seed(expression output, expression weight) { collect(output.node(), weight.node()); }
-
-  constexpr void restart() {
-    for (int id : order_) adjoints_[id] = graph::zero;
-  }
-
-  /// Treats a node as a symbol in all passes: the gradient does not reach its operands through it.
-  constexpr void hold(expression e) {
-    if (held_.empty()) held_.resize(graph_.size(), 0);
-    held_[e.node()] = 1;
-  }
-
-  constexpr void run() {
+  template <bool is_constant>
+  constexpr void propagate_all() {
+    const auto& adjoints = adjoints_.elements<is_constant>();
     for (int id : order_) {
-      const node n = graph_[id];
-      const int adjoint = adjoints_[id];
-      if (adjoint == graph::zero || is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
+      const int adjoint = adjoints[id];
+      if (adjoint == graph::zero) continue;
+      const node n = graph_.node_at(id);
+      if (is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
       if (n.op == operation::component)
         adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
       else if (is_solution(n.op))
@@ -60,6 +51,40 @@ public:
       else if (n.op != operation::singularity_measure && !propagate_rotation(n, adjoint))
         propagate_partials(id, n, adjoint);
     }
+  }
+
+public:
+  constexpr accumulation(graph& g, const sequence<expression>& outputs)
+      : graph_(g), adjoints_(g.size()), uses_(g.size()),
+        order_(reverse_topological_order(g, nodes_of(outputs))) {
+    for (const expression& e : outputs) ++uses_[e.node()];
+    if (__builtin_is_constant_evaluated())
+      count_uses(g.elements<true>(), uses_.elements<true>());
+    else
+      count_uses(g.elements<false>(), uses_.elements<false>());
+  }
+
+  constexpr void seed(expression output, expression weight) { collect(output.node(), weight.node()); }
+
+  constexpr void restart() {
+    if (__builtin_is_constant_evaluated()) {
+      adjoints_ = base::zeros<int>(adjoints_.size());
+      return;
+    }
+    for (int id : order_) adjoints_[id] = graph::zero;
+  }
+
+  /// Treats a node as a symbol in all passes: the gradient does not reach its operands through it.
+  constexpr void hold(expression e) {
+    if (held_.empty()) held_.resize(graph_.size(), 0);
+    held_[e.node()] = 1;
+  }
+
+  constexpr void run() {
+    if (__builtin_is_constant_evaluated())
+      propagate_all<true>();
+    else
+      propagate_all<false>();
   }
 
   constexpr expression by(expression symbol) const { return {graph_, adjoints_[symbol.node()]}; }
@@ -163,8 +188,8 @@ private:
   }
 
   graph& graph_;
-  sequence<int> adjoints_;
-  sequence<int> uses_;    ///< the number of uses by live nodes
+  base::zeros<int> adjoints_;
+  base::zeros<int> uses_; ///< the number of uses by live nodes
   sequence<int> order_;   ///< live nodes, users first
   sequence<char> held_{}; ///< by node, empty if none is held
 };

@@ -25,27 +25,38 @@ struct rotated_component {
   constexpr explicit operator bool() const { return angle >= 0; }
 };
 
-constexpr rotated_component rotated_component_at(const graph& g, const node& n) {
+namespace detail {
+
+/// For a sum or difference of the nodes a and b.
+template <class Nodes>
+constexpr rotated_component rotated_component_of(const Nodes& nodes, int a, int b, bool adds) {
   rotated_component found;
-  if (n.op != operation::add && n.op != operation::subtract) return found;
-  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call
-  const node &first = nodes[n.a], &second = nodes[n.b];
-  if (first.op != operation::multiply || second.op != operation::multiply) return found;
+  if (nodes[a].op != operation::multiply || nodes[b].op != operation::multiply) return found;
   for (int i = 0; i < 4; ++i) {
     const bool exchange_first = i % 2 != 0, exchange_second = i / 2 != 0;
-    const int t = exchange_first ? first.b : first.a, w = exchange_second ? second.b : second.a;
-    const node &one = nodes[t], &other = nodes[w];
-    if (one.a != other.a || one.op == other.op) continue;
-    if (one.op != operation::sin && one.op != operation::cos) continue;
-    if (other.op != operation::sin && other.op != operation::cos) continue;
-    found.angle = one.a;
+    const int t = exchange_first ? nodes[a].b : nodes[a].a, w = exchange_second ? nodes[b].b : nodes[b].a;
+    const operation one = nodes[t].op, other = nodes[w].op;
+    if (one != operation::sin && one != operation::cos) continue;
+    if (other != operation::sin && other != operation::cos) continue;
+    if (nodes[t].a != nodes[w].a || one == other) continue;
+    found.angle = nodes[t].a;
     found.trigonometric[0] = t, found.trigonometric[1] = w;
-    found.value[0] = exchange_first ? first.a : first.b;
-    found.value[1] = exchange_second ? second.a : second.b;
-    found.adds = n.op == operation::add;
+    found.value[0] = exchange_first ? nodes[a].a : nodes[a].b;
+    found.value[1] = exchange_second ? nodes[b].a : nodes[b].b;
+    found.adds = adds;
     break;
   }
   return found;
+}
+
+} // namespace detail
+
+constexpr rotated_component rotated_component_at(const graph& g, const node& n) {
+  if (n.op != operation::add && n.op != operation::subtract) return {};
+  const bool adds = n.op == operation::add;
+  return __builtin_is_constant_evaluated()
+             ? detail::rotated_component_of(g.elements<true>(), n.a, n.b, adds)
+             : detail::rotated_component_of(g.elements<false>(), n.a, n.b, adds);
 }
 
 /// The derivative with respect to the angle: a node, and whether its sign must be changed.
@@ -155,7 +166,7 @@ private:
     const int marks = id * stride_;
     if (id < marked_ && (marks_[marks] & mark_) == 0) return graph::zero;
     graph& g = *graph_;
-    const node n = g.begin()[id];
+    const node n = g.node_at(id);
     if (n.op <= operation::symbol) return graph::zero; // a leaf
     int rate = graph::zero;
     if (n.op == operation::add || n.op == operation::subtract) {

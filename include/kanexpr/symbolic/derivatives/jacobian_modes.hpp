@@ -183,7 +183,7 @@ private:
 
   const node* nodes_;
   int size_, symbols_, words_;
-  sequence<char> of_live_;
+  base::zeros<char> of_live_;
   base::zeros<word> of_depends_;
   base::zeros<char> of_active_;
   base::zeros<int> of_users_, of_reverse_;

@@ -29,6 +29,44 @@ struct node {
 /// This class only stores nodes; rules.hpp builds them in simplest form. Most of the work of a derivation is
 /// done here, and compilers interpret every call, so the code accesses its arrays directly.
 class graph {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class From>
+  static constexpr void copy(Nodes& nodes, const From& all, int count) {
+    for (int id = 0; id < count; ++id) {
+      nodes[id].op = all[id].op;
+      nodes[id].a = all[id].a;
+      nodes[id].b = all[id].b;
+    }
+  }
+  template <class Nodes, class Operations, class Operands>
+  static constexpr void fill(Nodes& nodes, const Operations& op, const Operands& a, const Operands& b,
+                             int count) {
+    for (int id = 0; id < count; ++id) {
+      nodes[id].op = op[id];
+      nodes[id].a = a[id];
+      nodes[id].b = b[id];
+    }
+  }
+
+  template <class Nodes, class Table>
+  constexpr void index_nodes(const Nodes& nodes, Table& table, int count) {
+    const unsigned mask = hash_mask_;
+    for (int id = 0; id < count; ++id) {
+      const operation op = nodes[id].op;
+      unsigned place = 0;
+      if (op == operation::constant)
+        place = hash(numbers_[nodes[id].a]) & mask;
+      else if (__builtin_is_constant_evaluated())
+        place = static_cast<unsigned>(nodes[id].a * 211 + nodes[id].b * 5 + static_cast<int>(op)) & mask;
+      else
+        place = hash(nodes[id]) & mask;
+      while (table[place] != 0) place = (place + 1) & mask;
+      table[place] = id + 1;
+      if (op >= operation::pair) has_lists_ = true;
+    }
+  }
+
 public:
   static constexpr int zero = 0;
   static constexpr int one = 1;
@@ -42,18 +80,46 @@ public:
       : numbers_(other.numbers_), symbols_(other.symbols_), externals_(other.externals_),
         has_lists_(other.has_lists_) {
     allocate(other.room_);
-    copy(other.nodes_, other.size_);
+    if (__builtin_is_constant_evaluated())
+      copy(block_->value, other.block_->value, other.size_);
+    else
+      copy(nodes_, other.nodes_, other.size_);
     index_nodes(other.size_);
   }
   graph& operator=(const graph&) = delete;
-  constexpr ~graph() { delete[] nodes_; }
+  constexpr ~graph() { release(); }
 
   constexpr int size() const { return size_; }
   /// Whether the graph contains any part of a linear system or a call, live or not.
   constexpr bool has_lists() const { return has_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
+  /// A copy of a node, which takes less memory in constant evaluation than reading it through a reference.
+  constexpr node node_at(int id) const {
+    return __builtin_is_constant_evaluated() ? block_->value[id] : nodes_[id];
+  }
   constexpr const node* begin() const { return nodes_; }
   constexpr const node* end() const { return nodes_ + size_; }
+  /// The nodes for the most frequent loops: in constant evaluation the array itself (base::zeros explains
+  /// why), at run time a pointer to it.
+  template <bool is_constant>
+  constexpr const auto& elements() const {
+    if constexpr (is_constant)
+      return block_->value;
+    else
+      return nodes_;
+  }
+
+  /// Copies two nodes, which takes half of the memory of reading each through a pointer.
+  constexpr void read(int a, int b, node& x, node& y) const {
+    if (__builtin_is_constant_evaluated()) {
+      const auto& nodes = block_->value;
+      x = nodes[a];
+      y = nodes[b];
+    } else {
+      x = nodes_[a];
+      y = nodes_[b];
+    }
+  }
 
   constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
   constexpr const number& number_at(int id) const { return numbers_[nodes_[id].a]; }
@@ -105,20 +171,23 @@ public:
     return -1;
   }
 
-  constexpr int find_or_append(const node& wanted) {
-    // without a call, because this is the most frequent function of all
-    unsigned place =
-        hash_mask_ & (__builtin_is_constant_evaluated()
-                          ? static_cast<unsigned>(wanted.a * 211 + wanted.b * 5 + static_cast<int>(wanted.op))
-                          : hash(wanted));
-    for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
-      const node& present = nodes_[next - 1];
-      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;
-    }
-    if (size_ == room_ || wanted.op >= operation::pair) return append(wanted, static_cast<int>(place));
-    nodes_[size_] = wanted;
-    table_[place] = ++size_;
-    return size_ - 1;
+  constexpr int find_or_append(const node& wanted) { // the most frequent function of all
+    if (!__builtin_is_constant_evaluated()) return find_or_append_at_run_time(wanted);
+    const operation op = wanted.op;
+    const int a = wanted.a, b = wanted.b;
+    const unsigned mask = hash_mask_;
+    auto& nodes = block_->value;
+    auto& table = places_.elements<true>();
+    unsigned place = mask & static_cast<unsigned>(a * 211 + b * 5 + static_cast<int>(op));
+    for (int next = table[place]; next != 0; next = table[place = (place + 1) & mask])
+      if (nodes[next - 1].a == a && nodes[next - 1].b == b && nodes[next - 1].op == op) return next - 1;
+    const int id = size_;
+    if (id == room_ || op >= operation::pair) return append(wanted, static_cast<int>(place));
+    nodes[id].op = op;
+    nodes[id].a = a;
+    nodes[id].b = b;
+    size_ = table[place] = id + 1;
+    return id;
   }
 
   /// What a graph contains at some time.
@@ -144,19 +213,29 @@ public:
   }
 
   /// Restores a stored graph from arrays of its nodes in order.
-  constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const operation* op,
-                         const int* a, const int* b, int nodes) {
+  template <class Operations, class Operands>
+  constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const Operations& op,
+                         const Operands& a, const Operands& b, int nodes) {
     numbers_ = static_cast<sequence<number>&&>(numbers);
     symbols_ = static_cast<sequence<symbol>&&>(symbols);
     int room = least_room;
     while (2 * nodes > room) room *= 4; // for the nodes that are added
     allocate(room);
-    for (int id = 0; id < nodes; ++id) nodes_[id] = {op[id], a[id], b[id]};
+    if (__builtin_is_constant_evaluated())
+      fill(block_->value, op, a, b, nodes);
+    else
+      fill(nodes_, op, a, b, nodes);
     index_nodes(nodes);
   }
 
 private:
   static constexpr int least_room = 1 << 9;
+  static constexpr int constant_room = base::zeros<int>::room / 2;
+
+  /// The nodes in constant evaluation, where the compiler stores only those that are written.
+  struct block {
+    node value[constant_room];
+  };
 
   static constexpr unsigned hash(const number& value) {
     const std::uint64_t fraction =
@@ -198,41 +277,65 @@ private:
   }
   constexpr void grow(const node& added) {
     const node kept = added; // `added` may refer to one of these nodes
-    node* const before = nodes_;
     const int count = size_;
-    nodes_ = nullptr;
-    allocate(4 * room_);
-    copy(before, count);
-    delete[] before;
+    if (__builtin_is_constant_evaluated()) {
+      allocate_table(4 * room_);
+    } else {
+      node* const before = nodes_;
+      nodes_ = nullptr;
+      allocate(4 * room_);
+      copy(nodes_, before, count);
+      delete[] before;
+    }
     nodes_[count] = kept;
     index_nodes(count + 1);
   }
 
-  constexpr void copy(const node* all, int count) {
-    for (int id = 0; id < count; ++id) nodes_[id] = all[id];
-  }
-  /// Enters distinct nodes into the hash table.
-  constexpr void index_nodes(int count) {
-    for (int id = 0; id < count; ++id) {
-      const node& n = nodes_[id];
-      unsigned place = (n.op == operation::constant ? hash(numbers_[n.a]) : hash(n)) & hash_mask_;
-      while (table_[place] != 0) place = (place + 1) & hash_mask_;
-      table_[place] = id + 1;
-      if (n.op >= operation::pair) has_lists_ = true;
+  constexpr int find_or_append_at_run_time(const node& wanted) {
+    unsigned place = hash(wanted) & hash_mask_;
+    for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
+      const node& present = nodes_[next - 1];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;
     }
-    size_ = count;
+    return append(wanted, static_cast<int>(place));
   }
 
-  /// Allocates an empty graph; the table has at least twice as many slots as nodes.
+  /// Enters distinct nodes into the hash table.
+  constexpr void index_nodes(int count) {
+    if (__builtin_is_constant_evaluated())
+      index_nodes(block_->value, places_.elements<true>(), count);
+    else
+      index_nodes(nodes_, table_, count);
+    size_ = count;
+  }
+  /// Allocates an empty graph.
   constexpr void allocate(int nodes) {
-    delete[] nodes_;
+    release();
+    if (__builtin_is_constant_evaluated()) {
+      block_ = new block;
+      nodes_ = block_->value;
+    } else {
+      nodes_ = new node[static_cast<unsigned>(nodes)];
+    }
+    allocate_table(nodes);
+  }
+  /// The table has at least twice as many slots as there may be nodes.
+  constexpr void allocate_table(int nodes) {
     room_ = nodes;
-    nodes_ = new node[static_cast<unsigned>(nodes)];
     places_ = base::zeros<int>(2 * nodes);
     table_ = places_.begin();
     hash_mask_ = 2 * static_cast<unsigned>(nodes) - 1;
   }
+  constexpr void release() {
+    if (block_ != nullptr)
+      delete block_;
+    else
+      delete[] nodes_;
+    block_ = nullptr;
+    nodes_ = nullptr;
+  }
 
+  block* block_ = nullptr; ///< only in constant evaluation
   node* nodes_ = nullptr;
   int size_ = 0;
   int room_ = 0;

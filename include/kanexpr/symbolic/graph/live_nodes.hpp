@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
@@ -11,33 +12,52 @@ constexpr bool is_value(const node& n) {
   return n.op == operation::pair ? n.b != graph::zero : !has_index_operand(n.op);
 }
 
-/// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.
-constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
-  sequence<char> marks(g.size(), 0);
-  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call to operator[]
-  char* const live = marks.begin();
-  int last = -1;
-  for (int id : outputs) {
-    live[id] = 1;
-    if (id > last) last = id;
-  }
+namespace detail {
+
+/// Marks the operands of all marked nodes.
+template <class Nodes, class Marks>
+constexpr void mark_operands(const Nodes& nodes, Marks& live, int last) {
   for (int id = last; id >= 0; --id) {
     if (live[id] == 0) continue;
-    const node& n = nodes[id];
-    if (n.op <= operation::symbol) continue; // a leaf, tested without a call
-    live[n.a] = 1;
-    if (n.op <= operation::power) {
-      if (n.op != operation::negate) live[n.b] = 1;
-    } else if (is_binary(n.op) && (n.op < operation::pair || is_value(n))) {
-      live[n.b] = 1;
+    const operation op = nodes[id].op;
+    if (op <= operation::symbol) continue; // a leaf, tested without a call
+    live[nodes[id].a] = 1;
+    if (op <= operation::power) {
+      if (op != operation::negate) live[nodes[id].b] = 1;
+    } else if (is_binary(op) && (op < operation::pair || is_value(nodes[id]))) {
+      live[nodes[id].b] = 1;
     }
   }
+}
+
+/// Writes zeros in ascending order: where elements are written in descending order, g++ moves all that are
+/// there for each.
+template <class Marks>
+constexpr void clear(Marks& marks, int count) {
+  for (int id = 0; id < count; ++id) marks[id] = 0;
+}
+
+} // namespace detail
+
+/// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.
+constexpr base::zeros<char> live_nodes(const graph& g, const sequence<int>& outputs) {
+  base::zeros<char> marks(g.size());
+  char* const live = marks.begin();
+  int last = -1;
+  for (int id : outputs)
+    if (id > last) last = id;
+  if (__builtin_is_constant_evaluated()) detail::clear(marks.elements<true>(), last + 1);
+  for (int id : outputs) live[id] = 1;
+  if (__builtin_is_constant_evaluated())
+    detail::mark_operands(g.elements<true>(), marks.elements<true>(), last);
+  else
+    detail::mark_operands(g.elements<false>(), marks.elements<false>(), last);
   return marks;
 }
 
 /// The live nodes except lists, in ascending order, so operands precede their users.
 constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs) {
-  const sequence<char> marks = live_nodes(g, outputs);
+  const base::zeros<char> marks = live_nodes(g, outputs);
   const node* const nodes = g.begin();
   const char* const live = marks.begin();
   sequence<int> values;
@@ -48,7 +68,7 @@ constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs
 
 /// Whether `outputs` depend on any of the nodes in `some`.
 constexpr bool depends_on(const graph& g, const sequence<int>& outputs, const sequence<int>& some) {
-  const sequence<char> live = live_nodes(g, outputs);
+  const base::zeros<char> live = live_nodes(g, outputs);
   for (int id : some)
     if (id < live.size() && live[id] != 0) return true;
   return false;

@@ -97,7 +97,8 @@ constexpr int add(graph& g, int a, int b) {
   if (a == graph::zero) return b;
   if (b == graph::zero) return a;
   const node* const nodes = g.begin();
-  const node x = nodes[a], y = nodes[b];
+  node x, y;
+  g.read(a, b, x, y);
   if (x.op == operation::constant) {
     if (y.op == operation::constant) return g.constant(g.number_at(a) + g.number_at(b));
     if (y.op == operation::add && nodes[y.a].op == operation::constant)
@@ -134,7 +135,8 @@ constexpr int subtract(graph& g, int a, int b) {
   if (a == graph::zero) return negate(g, b);
   if (b == graph::zero) return a;
   const node* const nodes = g.begin();
-  const node x = nodes[a], y = nodes[b];
+  node x, y;
+  g.read(a, b, x, y);
   if (y.op == operation::constant) return add(g, g.constant(-g.number_at(b)), a);
   if (y.op == operation::negate) return add(g, a, y.a);
   if (x.op == operation::negate) return negate(g, add(g, x.a, b));
@@ -171,7 +173,8 @@ constexpr int multiply(graph& g, int a, int b) {
   if (a == graph::one) return b;
   if (b == graph::one) return a;
   const node* const nodes = g.begin();
-  const node x = nodes[a], y = nodes[b];
+  node x, y;
+  g.read(a, b, x, y);
   if (x.op == operation::constant) {
     const number c = g.number_at(a);
     if (y.op == operation::constant) return g.constant(c * g.number_at(b));
@@ -199,8 +202,8 @@ constexpr int multiply(graph& g, int a, int b) {
 /// A division by the constant zero is not simplified; the model reports it as a mistake.
 constexpr int divide(graph& g, int a, int b) {
   if (b == graph::one) return a;
-  const node* const nodes = g.begin();
-  const node x = nodes[a], y = nodes[b];
+  node x, y;
+  g.read(a, b, x, y);
   if (b != graph::zero) {
     if (a == graph::zero) return graph::zero;
     if (y.op == operation::constant) return multiply(g, g.constant(exactly(1) / g.number_at(b)), a);

@@ -15,6 +15,18 @@ struct replacement {
 
 /// Replaces nodes throughout an expression simultaneously and simplifies the result.
 class substitution {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class Marks>
+  static constexpr void visit(const Nodes& nodes, Marks& changes, int first, int last) {
+    for (int id = first; id <= last; ++id) {
+      const operation op = nodes[id].op;
+      if (op <= operation::symbol) continue; // a leaf
+      const bool has_second = op > operation::negate && (op <= operation::power || is_binary(op));
+      if (changes[nodes[id].a] != 0 || (has_second && changes[nodes[id].b] != 0)) changes[id] = 1;
+    }
+  }
+
 public:
   constexpr explicit substitution(graph& g) : graph_(g) {}
   substitution(const substitution&) = delete;
@@ -50,16 +62,13 @@ private:
   /// Finds the nodes that depend on replaced ones, so that only these are visited.
   constexpr void visit_until(int last) {
     make_room();
-    const node* const nodes = graph_.begin(); // pointers, because compilers interpret every call
-    char* const changes = change_;
-    for (; visited_ <= last; ++visited_) {
-      const node& n = nodes[visited_];
-      if (n.op <= operation::symbol) continue; // a leaf
-      const bool has_second = n.op > operation::negate && (n.op <= operation::power || is_binary(n.op));
-      if (changes[n.a] != 0 || (has_second && changes[n.b] != 0)) changes[visited_] = 1;
-    }
+    if (visited_ > last) return;
+    if (__builtin_is_constant_evaluated())
+      visit(graph_.elements<true>(), changes_.elements<true>(), visited_, last);
+    else
+      visit(graph_.elements<false>(), changes_.elements<false>(), visited_, last);
+    visited_ = last + 1;
   }
-
   constexpr int in(int id) {
     if (change_[id] == 0) return id;
     if (image_[id] != unknown) return image_[id] - 1;

@@ -35,7 +35,7 @@ public:
   }
 
   constexpr sequence<int> run() {
-    const sequence<char> live = live_nodes(g_, outputs_);
+    const base::zeros<char> live = live_nodes(g_, outputs_);
     extend_to_new_nodes();
     count_uses(live);
     for (int id = 0; id < live.size(); ++id)
@@ -74,7 +74,7 @@ private:
     for (int id = image_.size(); id < g_.size(); ++id)
       image_.push(id), uses_.push(0), is_kept_.push(0), is_outermost_.push(0);
   }
-  constexpr void count_uses(const sequence<char>& live) {
+  constexpr void count_uses(const base::zeros<char>& live) {
     for (int id = 0; id < live.size(); ++id) {
       const node& n = g_[id];
       if (live[id] == 0 || is_leaf(n.op)) continue;
@@ -82,7 +82,7 @@ private:
       if (has_second(n)) count_use(n.b, n.op);
     }
     for (int id : outputs_) count_use(id, operation::negate);
-    const sequence<char> kept = live_nodes(g_, also_needed_);
+    const base::zeros<char> kept = live_nodes(g_, also_needed_);
     for (int id = 0; id < kept.size(); ++id) is_kept_[id] = kept[id];
   }
   constexpr void count_use(int id, operation by) {
@@ -327,9 +327,9 @@ private:
 constexpr sequence<int> shorten_sums(graph& g, const sequence<int>& outputs,
                                      const sequence<int>& also_needed) {
   constexpr int most_operations = 200, least_part = 16;
-  const sequence<char> nothing, kept = live_nodes(g, also_needed);
-  const auto operations = [&](const sequence<int>& nodes, const sequence<char>& without) {
-    const sequence<char> live = live_nodes(g, nodes);
+  const base::zeros<char> nothing, kept = live_nodes(g, also_needed);
+  const auto operations = [&](const sequence<int>& nodes, const base::zeros<char>& without) {
+    const base::zeros<char> live = live_nodes(g, nodes);
     int count = 0;
     for (int id = 0; id < live.size(); ++id)
       if (live[id] != 0 && !is_leaf(g[id].op) && (id >= without.size() || without[id] == 0)) ++count;

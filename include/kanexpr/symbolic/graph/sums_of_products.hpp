@@ -51,7 +51,7 @@ struct sums_of_products {
     }
     live_count = count;
     if (also_needed.empty()) return;
-    const sequence<char> needed = live_nodes(g, also_needed);
+    const base::zeros<char> needed = live_nodes(g, also_needed);
     for (int i = 0; i < count; ++i)
       if (list[i] < needed.size() && needed[list[i]] != 0) definition[list[i]] = kept;
   }

@@ -18,7 +18,7 @@ class point_evaluation {
 public:
   point_evaluation(const graph& g, const sequence<int>& outputs, const std::vector<replacement>& point)
       : g_(g), place_(g.size(), -1) {
-    const sequence<char> live = live_nodes(g, outputs);
+    const base::zeros<char> live = live_nodes(g, outputs);
     int count = 0;
     for (int id = 0; id < g.size(); ++id)
       if (live[id] != 0) place_[id] = count++;

@@ -20,7 +20,14 @@ class column_groups {
 public:
   /// `factors` has the multipliers of each pivot in a row; `pivots` are in the order of elimination.
   constexpr column_groups(int order, const sequence<int>& pivots, const sequence<int>& factors)
-      : n_(order), pivots_(pivots), factors_(factors) {}
+      : n_(order), pivots_(pivots), first_(order + 1, 0) {
+    for (int p = 0; p < n_; ++p) {
+      first_[p] = rows_.size();
+      for (int i = 0; i < n_; ++i)
+        if (factors[p * n_ + i] != graph::zero) rows_.push(i);
+    }
+    first_[n_] = rows_.size();
+  }
 
   constexpr sequence<column_group> of(const matrix& right, const sequence<int>& columns) const {
     sequence<column_group> groups;
@@ -47,15 +54,16 @@ private:
 
   /// Completes the rows that become nonzero, and counts the steps.
   constexpr void fill(column_group& group) const {
-    const int* const factors = factors_.begin();
+    const int *const rows = rows_.begin(), *const first = first_.begin();
     char* const filled = group.filled.begin();
-    group.steps = n_;
-    for (int p : pivots_)
-      for (int i = 0; i < n_; ++i) {
-        if (factors[p * n_ + i] == graph::zero) continue;
-        ++group.steps;
-        if (filled[p] != 0) filled[i] = 1, ++group.steps;
-      }
+    int steps = n_ + rows_.size();
+    for (int p : pivots_) {
+      if (filled[p] == 0) continue;
+      const int begin = first[p], end = first[p + 1];
+      steps += end - begin;
+      for (int k = begin; k < end; ++k) filled[rows[k]] = 1;
+    }
+    group.steps = steps;
   }
 
   /// Joins two groups unless this adds steps, or too many.
@@ -73,7 +81,8 @@ private:
   }
 
   int n_;
-  const sequence<int>&pivots_, &factors_;
+  const sequence<int>& pivots_;
+  sequence<int> rows_{}, first_; ///< the rows with a multiplier of each pivot, and the first one by pivot
 };
 
 } // namespace kanexpr::symbolic

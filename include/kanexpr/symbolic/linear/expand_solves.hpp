@@ -24,6 +24,25 @@ struct solves_of_factors {
 /// Rewrites the solutions of small systems and of constant systems as ordinary operations. Nodes are visited
 /// in ascending order, so operands precede their users.
 class expansion {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Marks, class Images>
+  constexpr void expand(const Marks& live, Images& image) {
+    for (int id = 0, end = live_.size(); id < end; ++id) {
+      image[id] = id;
+      if (live[id] == 0) continue;
+      const node n = g_[id];
+      if (n.op <= operation::symbol) continue;
+      const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
+      if (n.op == operation::component && is_solution(g_[n.a].op))
+        image[id] = element(n, a);
+      else if (n.op == operation::singularity_measure && is_small(n.a))
+        image[id] = measure(n, a);
+      else if (a != n.a || b != n.b)
+        image[id] = build(g_, n.op, a, b);
+    }
+  }
+
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
       : g_(g), live_(live_nodes(g, outputs)), image_(g.size()), uses_of_(g.size(), -1) {
@@ -38,21 +57,10 @@ public:
   constexpr int operator[](int id) const { return image_[id]; }
 
   constexpr void run() {
-    const char* const live = live_.begin();
-    int* const image = image_.begin();
-    for (int id = 0, end = live_.size(); id < end; ++id) {
-      image[id] = id;
-      if (live[id] == 0) continue;
-      const node n = g_[id];
-      if (n.op <= operation::symbol) continue;
-      const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
-      if (n.op == operation::component && is_solution(g_[n.a].op))
-        image[id] = element(n, a);
-      else if (n.op == operation::singularity_measure && is_small(n.a))
-        image[id] = measure(n, a);
-      else if (a != n.a || b != n.b)
-        image[id] = build(g_, n.op, a, b);
-    }
+    if (__builtin_is_constant_evaluated())
+      expand(live_.elements<true>(), image_.elements<true>());
+    else
+      expand(live_.elements<false>(), image_.elements<false>());
   }
 
 private:
@@ -121,7 +129,7 @@ private:
 
   constexpr int operation_cost(const sequence<int>& outputs) const {
     constexpr int division = 4;
-    const sequence<char> marks = live_nodes(trial_, outputs);
+    const base::zeros<char> marks = live_nodes(trial_, outputs);
     const char* const live = marks.begin();
     const node* const nodes = trial_.begin();
     int weight = 0;
@@ -161,7 +169,7 @@ private:
   }
 
   graph& g_;
-  sequence<char> live_;
+  base::zeros<char> live_;
   base::zeros<int> image_;
   sequence<int> uses_of_; ///< by node of the factorization
   sequence<solves_of_factors> uses_{};
@@ -170,16 +178,21 @@ private:
   sequence<number> inverse_{};
 };
 
+template <class Nodes, class Marks>
+constexpr bool has_factorization(const Nodes& nodes, const Marks& live, int end) {
+  for (int id = 0; id < end; ++id)
+    if (live[id] != 0 && nodes[id].op == operation::factorization) return true;
+  return false;
+}
+
 } // namespace detail
 
 /// Whether any live node requires `expand_solves`.
-constexpr bool has_linear_systems(const graph& g, const sequence<char>& live) {
+constexpr bool has_linear_systems(const graph& g, const base::zeros<char>& live) {
   if (!g.has_lists()) return false;
-  const node* const nodes = g.begin();
-  const char* const is_live = live.begin();
-  for (int id = 0, end = live.size(); id < end; ++id)
-    if (is_live[id] != 0 && nodes[id].op == operation::factorization) return true;
-  return false;
+  return __builtin_is_constant_evaluated()
+             ? detail::has_factorization(g.elements<true>(), live.elements<true>(), live.size())
+             : detail::has_factorization(g.elements<false>(), live.elements<false>(), live.size());
 }
 
 /// Rewrites the outputs so that systems of order 1 to 3 are solved by cofactors, with one determinant and its

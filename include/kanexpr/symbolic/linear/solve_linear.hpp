@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -26,7 +27,7 @@ struct linear_solution {
 };
 
 /// Whether live nodes depend on the solution of a block.
-constexpr bool depends_on_block(const graph& g, const sequence<char>& live, int key) {
+constexpr bool depends_on_block(const graph& g, const base::zeros<char>& live, int key) {
   if (g[key].op == operation::factorization) return live[key] != 0;
   for (int id = key + 1; id < live.size(); ++id)
     if (live[id] != 0 && g[id].op == operation::divide && g[id].b == key) return true;

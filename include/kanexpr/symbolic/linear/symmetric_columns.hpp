@@ -39,7 +39,7 @@ namespace detail {
 class column_expansion {
 public:
   constexpr column_expansion(graph& g, const sequence<int>& outputs) : g_(g), image_(g.size()) {
-    const sequence<char> live = live_nodes(g, outputs);
+    const base::zeros<char> live = live_nodes(g, outputs);
     int* const image = image_.begin();
     for (int id = 0, end = live.size(); id < end; ++id) {
       image[id] = id;

@@ -36,7 +36,7 @@ private:
   static constexpr int no_part = -1, length_of_name = 3;
 
   void choose(const graph& g, const sequence<int>& outputs) {
-    const sequence<char> live = live_nodes(g, outputs);
+    const base::zeros<char> live = live_nodes(g, outputs);
     const sequence<char> is_shared = shared_nodes(g, outputs, live);
     sequence<int> lengths(g.size(), 0); // of the text that refers to a node
     for (int id = 0; id < g.size(); ++id) {
@@ -56,7 +56,7 @@ private:
   /// Marks the nodes with more than one user. A list is written wherever it occurs, so its elements have as
   /// many users as the list.
   static sequence<char> shared_nodes(const graph& g, const sequence<int>& outputs,
-                                     const sequence<char>& live) {
+                                     const base::zeros<char>& live) {
     sequence<char> users(g.size(), 0); // at most 2 are counted
     const auto add = [&users](int id, int count) {
       users[id] = static_cast<char>((std::min)(users[id] + count, 2));

@@ -15,27 +15,36 @@ namespace kanexpr::symbolic {
 /// can produce infinity or NaN, except quotients whose divisor is in `sure_divisors`. Sums and products are
 /// ignored: they overflow only at values of no practical use.
 class finiteness {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Nodes, class Marks, class Facts>
+  constexpr void classify_all(const Nodes& nodes, const Marks& live, Facts& facts) {
+    for (int id = 0, end = size_; id < end; ++id) {
+      if (live[id] == 0) continue;
+      const operation op = nodes[id].op;
+      if (op != operation::add && op != operation::subtract && op != operation::multiply) {
+        if (op != operation::symbol) classify(id);
+        continue;
+      }
+      // most nodes, handled inline because compilers interpret every call
+      const int a = nodes[id].a, b = nodes[id].b, both = facts[a] & facts[b], any = facts[a] | facts[b];
+      if ((any & may_fail) != 0) facts[id] |= may_fail, any_fails_ = true;
+      const bool is_square = op == operation::multiply && a == b;
+      if (is_square || (op != operation::subtract && (both & never_negative) != 0))
+        facts[id] |= never_negative;
+    }
+  }
+
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
       : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size()),
         facts_of_(facts_.begin()) {
-    const sequence<char> is_live = live_nodes(g, outputs);
-    const char* const live = is_live.begin();
+    const base::zeros<char> is_live = live_nodes(g, outputs);
     for (int id : sure_divisors) facts_of_[id] = sure;
-    for (int id = 0; id < size_; ++id) {
-      if (live[id] == 0) continue;
-      const node& n = nodes_[id];
-      if (n.op != operation::add && n.op != operation::subtract && n.op != operation::multiply) {
-        if (n.op != operation::symbol) classify(id);
-        continue;
-      }
-      // most nodes, handled inline because compilers interpret every call
-      const int both = facts_of_[n.a] & facts_of_[n.b], any = facts_of_[n.a] | facts_of_[n.b];
-      if ((any & may_fail) != 0) facts_of_[id] |= may_fail, any_fails_ = true;
-      const bool is_square = n.op == operation::multiply && n.a == n.b;
-      if (is_square || (n.op != operation::subtract && (both & never_negative) != 0))
-        facts_of_[id] |= never_negative;
-    }
+    if (__builtin_is_constant_evaluated())
+      classify_all(g.elements<true>(), is_live.elements<true>(), facts_.elements<true>());
+    else
+      classify_all(g.elements<false>(), is_live.elements<false>(), facts_.elements<false>());
   }
   finiteness(const finiteness&) = delete;
   finiteness& operator=(const finiteness&) = delete;
