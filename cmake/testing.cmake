@@ -225,13 +225,9 @@ function(kanexpr_header_chains name)
   kanexpr_compile_headers(${name})
 endfunction()
 
-# kanexpr_headers_together(<name> [EXCEPT <regex>]): one file includes the top-level headers, which include all the others.
+# kanexpr_headers_together(<name>): one file includes the top-level headers, which include all the others.
 function(kanexpr_headers_together name)
-  cmake_parse_arguments(PARSE_ARGV 1 headers "" "EXCEPT" "")
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/kanexpr/*.hpp)
-  if(headers_EXCEPT)
-    list(FILTER headers EXCLUDE REGEX ${headers_EXCEPT})
-  endif()
   list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
   list(JOIN headers "" content)
   file(CONFIGURE OUTPUT ${name}.cpp CONTENT "${content}" @ONLY)

@@ -93,11 +93,12 @@ int main(int, char** arguments) {
   if (!report) return std::fprintf(stderr, "%s\n", report.cause().c_str()), 1;
 
   const tests::disc_on_a_circle other{.lean = -0.2, .turning = -0.5, .spin = 3};
-  const tests::known_motion<System, tests::disc_on_a_circle> second(other.parameters(), other, 200, 0.02);
+  const tests::known_motion<System, tests::disc_on_a_circle> to_the_right(other.parameters(), other, 200,
+                                                                          0.02);
   const kanexpr::animation a = kanexpr::animated<shapes>(run);
   const auto both = kanexpr::write_page(
       directory + "/runs.html",
-      {{"leans to the left", a}, {"leans to the right", kanexpr::animated<shapes>(second)}},
+      {{"leans to the left", a}, {"leans to the right", kanexpr::animated<shapes>(to_the_right)}},
       {.title = "Two discs", .folder = directory});
   if (!both) return std::fprintf(stderr, "%s\n", both.cause().c_str()), 1;
 

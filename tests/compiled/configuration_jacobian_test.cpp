@@ -1,3 +1,4 @@
+// builds: clang++
 // The derivatives of the configuration constraints with respect to all coordinates.
 #include "compiled/complex_steps.hpp"
 

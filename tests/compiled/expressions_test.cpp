@@ -1,3 +1,4 @@
+// builds: clang++
 // Expressions of a model as compiled functions, compared with numerical derivatives of positions along the
 // motion.
 #include "models/arm3.hpp"

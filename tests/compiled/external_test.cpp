@@ -1,3 +1,4 @@
+// builds: clang++
 // A tire whose force is computed by a user's function, compared with the same force as an expression of the
 // model.
 

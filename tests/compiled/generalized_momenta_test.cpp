@@ -1,3 +1,4 @@
+// builds: clang++
 // ∂T/∂u of all speeds, compared with derivatives of the kinetic energy and with the momenta of simple bodies.
 #include "compiled/complex_steps.hpp"
 

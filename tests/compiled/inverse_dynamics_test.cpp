@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Inverse dynamics, gravity and the Coriolis matrix, compared with M, f, F_r* and energies.
 #include "compiled/complex_steps.hpp"
 

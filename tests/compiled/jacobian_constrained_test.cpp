@@ -1,3 +1,4 @@
+// builds: clang++
 // The derivatives of the complete right-hand side of constrained systems with respect to the whole state.
 #include "compiled/complex_steps.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // The derivatives of the complete right-hand side with respect to the whole state, for systems without
 // constraints and for Lagrange's method.
 #include "compiled/complex_steps.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // A linearization whose kinematic equations contain more than coordinate rates.
 #include "compiled/complex_steps.hpp"
 #include "steps/quaternions.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // Further results of compiled linearizations in addition to the matrices.
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"

@@ -1,3 +1,4 @@
+// builds: clang++
 // The friction c tanh(u / v), evaluated by every method of evaluating functions of a model.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/symbolic.hpp>

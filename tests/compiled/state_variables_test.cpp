@@ -1,3 +1,4 @@
+// builds: clang++
 // Systems with state variables, by both methods and with constraints, compared with hand-written equations
 // and with complex-step differentiation.
 #include "compiled/complex_steps.hpp"

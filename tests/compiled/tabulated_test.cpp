@@ -1,3 +1,4 @@
+// builds: clang++
 // A motor whose torque is tabulated over its speed, and a spring whose tabulated forces are parameters.
 
 #include <kanexpr/batch.hpp>

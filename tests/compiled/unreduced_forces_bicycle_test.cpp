@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // F_r + F_r* of all speeds of a bicycle.
 #include "compiled/unreduced_forces.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "compiled/unreduced_forces.hpp"
 
 #include <models/four_bar.hpp>

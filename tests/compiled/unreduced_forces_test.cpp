@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // F_r + F_r* of all speeds at given rates of the speeds.
 #include "compiled/complex_steps.hpp"
 #include "compiled/unreduced_forces.hpp"

@@ -36,6 +36,5 @@ add_library(consumer OBJECT unfriendly.cpp)
 target_include_directories(consumer PRIVATE ${folder})
 target_link_libraries(consumer PRIVATE kanexpr::hdf5 kanexpr::mpi kanexpr::animate kanexpr::fmi kanexpr::robots_sdf kanexpr::flexible_modes)
 set_target_properties(consumer PROPERTIES CXX_STANDARD 20 CXX_EXTENSIONS OFF)
-target_compile_options(consumer PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wsign-conversion
-  -Wdouble-promotion -Wold-style-cast -Wfloat-equal -Weffc++ -Werror
-  $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast> -fsyntax-only)
+include(warnings.cmake)
+target_compile_options(consumer PRIVATE ${warnings_of_a_consumer} $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast> -fsyntax-only)

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Gains computed at compile time: a torque at the fork balances a bicycle.
 #include "control/matrices.hpp"
 #include "control/references.hpp"

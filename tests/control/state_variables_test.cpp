@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Regulators and filters of systems with state variables, and many such systems side by side.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/control.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // A derivation that is stored and resumed equals one that was not interrupted.
 #include <kanexpr/derivation/digest.hpp>
 #include <kanexpr/derivation/extract_code.hpp>

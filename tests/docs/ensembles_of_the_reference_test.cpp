@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Examples of single names of studies: docs/reference/examples.md.
 #include <kanexpr/ensemble.hpp>
 #include <kanexpr/hdf5.hpp>

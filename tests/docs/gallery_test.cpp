@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // The program of a page of the gallery, without the part that writes files.
 #define main bead_main
 #include <docs/gallery/page.cpp>

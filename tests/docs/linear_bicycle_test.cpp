@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // The linearized bicycle of docs/tour.md and docs/guide/linearization.md.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/kanexpr.hpp>

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Examples of single names of pictures: docs/reference/examples.md.
 #include <kanexpr/animate.hpp>
 #include <models/simple_pendulum.hpp>

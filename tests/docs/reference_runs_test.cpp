@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Examples of single names of values, and simulations: docs/reference/examples.md.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/batch.hpp>

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Examples of single words of a model and of its figure: docs/reference/examples.md.
 #include "docs/complete.hpp"
 #include "docs/no_mistake.hpp"

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Robots from files: docs/robots.md, and their units: docs/guide/units.md.
 #include <arm_picture.hpp>
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // The motions of the bicycle in docs/tour.md and docs/simulation.md.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // docs/tour.md, except for the bicycle and the robots.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"

@@ -1,3 +1,4 @@
+// builds: g++
 // Bodies from headers that the command kanexpr-flexible-body has written, compared with run-time models.
 #include <kanexpr/flexible.hpp>
 #include <kanexpr/flexible/header_writer.hpp>

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // The bicycle with its gain schedule, compared with the linear equations of the benchmark in NumPy and SciPy.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Robots written by kanexpr_add_robot and derived by the compiler, compared with results of Pinocchio.
 #include "robots/files.hpp"
 

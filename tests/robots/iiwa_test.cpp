@@ -1,3 +1,4 @@
+// builds: clang++
 // The iiwa from a file, compared with the model written by hand: no more operations, and the same results.
 #include <iiwa_robot.hpp>
 

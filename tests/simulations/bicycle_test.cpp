@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // The motion of a bicycle after a push, compared with its linearized equations.
 #include "oracles.hpp"
 

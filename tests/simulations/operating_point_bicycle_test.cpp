@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // A bicycle that circles without a steering torque.
 #include "models/bicycle.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Loops that are closed by more equations than necessary.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/runtime/assemble.hpp>

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // A filter in a linkage, simulated through singular positions.
 #include "steps/double_four_bar.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 // Assembles four-bar linkages in single precision, as on a controller.
 #include "no_heap.hpp"
 #include "runtime/four_bars.hpp"

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Compares the reported cost of a step with derivatives with the operations that a counting scalar performs.
 #include "runtime/four_bars.hpp"
 

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 #include "derivatives_of_steps.hpp"
 #include "quaternions.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "derivatives_of_steps.hpp"
 
 #include <models/double_pendulum.hpp>

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Compares second derivatives of steps with complex-step differentiation of the first ones.
 #include "compiled/complex_steps.hpp"
 #include "compiled/stirred_slider.hpp"

@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Fixed steps of systems with state variables: their accuracy, their derivatives, and singular positions.
 #include "compiled/stirred_slider.hpp"
 #include "derivatives_of_steps.hpp"

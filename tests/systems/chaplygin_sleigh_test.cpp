@@ -1,3 +1,4 @@
+// builds: clang++
 #include "systems/check_constrained.hpp"
 
 #include <models/chaplygin_sleigh.hpp>

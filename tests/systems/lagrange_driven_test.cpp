@@ -1,3 +1,4 @@
+// builds: clang++
 #include "systems/check_lagrange.hpp"
 
 #include <models/rocket.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Linearizations of Lagrange's equations, compared with complex steps at random operating points that satisfy
 // the constraints, and with Kane's method if its speeds are the rates of the same coordinates.
 #include "systems/linearized.hpp"

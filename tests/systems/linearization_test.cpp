@@ -1,3 +1,4 @@
+// builds: clang++
 // Linearizations of systems without constraints, compared with the oracles and with complex steps at random
 // operating points, most of which are not equilibria.
 #include "systems/linearized.hpp"

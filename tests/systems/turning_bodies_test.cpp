@@ -1,3 +1,4 @@
+// builds: clang++
 // Discs, a torus, a top and a body that turn in space.
 #include "systems/check_against_oracle.hpp"
 

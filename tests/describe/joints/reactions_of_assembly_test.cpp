@@ -1,4 +1,4 @@
-// builds: g++
+// builds: clang++ all
 // Reactions of joints that do not occur in a chain of pins and balls, compared with the Newton-Euler
 // equations: planar, sliding, welded and universal joints.
 #include "describe/joints/newton_euler.hpp"
