@@ -1,11 +1,13 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/graph/sum_shortening.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::mechanics {
 
