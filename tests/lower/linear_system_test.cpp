@@ -5,6 +5,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #include "entry_squares.hpp"
+#include "lower/numbered_symbols.hpp"
 #include "no_heap.hpp"
 
 #include <kanexpr/lower/constant.hpp>
@@ -29,16 +30,11 @@ using symbolic::expression;
 /// row, and b.
 constexpr lower::tape three_solutions(int n) {
   symbolic::graph g;
-  int position = 0;
-  const auto next = [&] {
-    base::name called("s");
-    called.append(position);
-    return variable(g, {symbolic::symbol_kind::parameter, called, position++});
-  };
+  check::numbered_symbols symbols(g);
   symbolic::matrix a(g, n, n);
-  for (expression& e : a.entries) e = next();
+  for (expression& e : a.entries) e = symbols.next();
   base::sequence<expression> b;
-  for (int i = 0; i < n; ++i) b.push(next());
+  for (int i = 0; i < n; ++i) b.push(symbols.next());
   const expression factors = factorization(g, a);
   const base::sequence<expression> y = solve_transposed(factors, b);
   base::sequence<int> outputs = nodes_of(solve(factors, b));

@@ -1,5 +1,7 @@
 // Symmetric systems with many columns: the same values as with all operations written out, by every way of
 // evaluation, for columns with any pattern of zeros.
+#include "lower/numbered_symbols.hpp"
+
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/tape_in_pieces.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
@@ -26,17 +28,12 @@ enum class way { together, written_out, apart };
 /// number of the entries of b are zero; so are some of M, and the last unknown is coupled to no other one.
 constexpr lower::tape solutions(int columns, unsigned seed, way by) {
   symbolic::graph g;
-  int position = 0;
-  const auto next = [&] {
-    base::name called("s");
-    called.append(position);
-    return variable(g, {symbolic::symbol_kind::parameter, called, position++});
-  };
+  check::numbered_symbols symbols(g);
   const auto chance = [&] { return (seed = seed * 1664525U + 1013904223U) >> 24; };
   symbolic::matrix m(g, order, order), right(g, order, columns), x(g, order, columns);
   for (int i = 0; i < order; ++i)
     for (int j = 0; j <= i; ++j) {
-      const expression entry = next();
+      const expression entry = symbols.next();
       if (i == j || (i < order - 1 && chance() < 200)) m(i, j) = m(j, i) = entry;
     }
   base::sequence<int> all;
@@ -44,7 +41,7 @@ constexpr lower::tape solutions(int columns, unsigned seed, way by) {
     all.push(j);
     const unsigned zeros = chance() % 200;
     for (int i = 0; i < order; ++i)
-      if (chance() >= zeros) right(i, j) = next();
+      if (chance() >= zeros) right(i, j) = symbols.next();
   }
   right(0, 1) = right(0, 0); // an entry of two columns
   for (int j = 3; j < columns; j += 4) right(order - 1, j) = 1 / m(order - 1, order - 1); // also a factor
@@ -64,7 +61,7 @@ constexpr lower::tape solutions(int columns, unsigned seed, way by) {
     }
   };
   solve(right, all, x);
-  m(0, 0) = next(), m(order - 1, order - 1) = next();
+  m(0, 0) = symbols.next(), m(order - 1, order - 1) = symbols.next();
   symbolic::matrix more(g, order, columns), y(g, order, columns);
   for (int i = 0; i < order; ++i) more(i, 0) = x(i, 2) * x(i, 3);
   for (int i = 0; i < order; ++i) more(i, 1) = x(i, 2) + right(i, 2);

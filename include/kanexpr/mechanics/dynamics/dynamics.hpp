@@ -7,12 +7,12 @@
 #include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/kane.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
+#include <kanexpr/mechanics/dynamics/mass_and_force.hpp>
 #include <kanexpr/mechanics/dynamics/reactions.hpp>
 #include <kanexpr/mechanics/dynamics/solution_cost.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/linear/cofactors.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
@@ -103,8 +103,7 @@ public:
     const symbolic::matrix &free = free_mass(), &on_independent = dependent().on_independent;
     mass_ = reduced_mass(*m_.g, free, speeds_, on_independent, coupling());
     if (force_.empty()) force_ = formed_force();
-    if (has_sines_in_components(m_, loads_)) gather_mass_and_force();
-    if (!is_too_long()) factor_mass_and_force();
+    shorten_mass_and_force();
     return mass_;
   }
 
@@ -318,37 +317,19 @@ private:
     return reduced_force(free, speeds_, solved, coupling());
   }
 
-  /// Shortens the mass matrix and the forces together, because they share many terms. The rates of dependent
-  /// speeds remain unchanged.
-  constexpr void gather_mass_and_force() {
-    sequence<expression> both = force_, others = dependent().on_independent.entries;
-    for (int i = 0; i < mass_.rows; ++i)
-      for (int j = 0; j <= i; ++j) both.push(mass_(i, j));
-    others.append(dependent().acceleration_bias);
-    both = gathered(*m_.g, both, others);
-    int k = 0;
-    for (expression& e : force_) e = both[k++];
-    for (int i = 0; i < mass_.rows; ++i)
-      for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = both[k++];
-  }
-
-  /// Takes common parts out of the sums of the mass matrix and the forces. What the rates of dependent speeds
-  /// and derivatives need in any case remains unchanged.
-  constexpr void factor_mass_and_force() {
-    sequence<int> both = symbolic::nodes_of(force_);
-    for (int i = 0; i < mass_.rows; ++i)
-      for (int j = 0; j <= i; ++j) both.push(mass_(i, j).node());
+  /// Shortens the mass matrix and the forces if sines of components cancel in them, and takes out common
+  /// parts. What the rates of dependent speeds and derivatives need in any case remains unchanged.
+  constexpr void shorten_mass_and_force() {
+    mass_and_force both(*m_.g, mass_, force_);
     sequence<int> others = symbolic::nodes_of(dependent().on_independent.entries);
     others.append(symbolic::nodes_of(dependent().acceleration_bias));
+    if (has_sines_in_components(m_, loads_)) both.gather(others);
+    if (is_too_long()) return;
     if (!speeds_.dependent.empty()) {
       others.append(symbolic::nodes_of(coupling().entries));
       others.append(symbolic::nodes_of(free_mass().entries));
     }
-    both = symbolic::factored(*m_.g, both, others);
-    int k = 0;
-    for (expression& e : force_) e = {*m_.g, both[k++]};
-    for (int i = 0; i < mass_.rows; ++i)
-      for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = expression(*m_.g, both[k++]);
+    both.factor(others);
   }
 
   constexpr bool by_lagrange() const { return m_.derived_by == method::lagrange; }

@@ -45,6 +45,7 @@ public:
   /// The rates of all coordinates and speeds as functions of the whole state, whether or not it satisfies the
   /// constraints.
   constexpr linearizer& freely() {
+    if (of_.coordinates.dependent.empty() && of_.speeds.dependent.empty()) return reduced();
     if (freely_) return *freely_;
     return freely_.emplace(*m_.g, system_form(of_).reduced(), directions::free);
   }

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 #include <kanexpr/mechanics/linearize/combined_rates.hpp>
 #include <kanexpr/mechanics/linearize/linearization.hpp>
+#include <kanexpr/mechanics/linearize/mass_columns.hpp>
 #include <kanexpr/mechanics/linearize/variations.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
@@ -11,6 +12,7 @@
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian_modes.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
@@ -132,9 +134,6 @@ public:
   }
 
 private:
-  /// In larger systems, columns are solved together; in smaller ones, written-out operations are cheaper.
-  static constexpr int fewest_rows_together = 5, fewest_columns_together = 8;
-
   static constexpr bool is_zero(const symbolic::matrix& m) {
     for (const expression& e : m.entries)
       if (!e.is_zero()) return false;
@@ -220,26 +219,26 @@ private:
   /// times δu̇_i is the derivative of μᵀ f_a − Φ at constant u̇ and μ: the solution for u̇ is never
   /// differentiated.
   constexpr symbolic::matrix accelerations() {
-    const symbolic::matrix& change = changes_of_force();
-    symbolic::symmetric_factorization mass(g_, form_.known.mass);
-    symbolic::matrix out(g_, change.rows, variations_.size());
-    sequence<int> moved, solved; // for each direction, the only speed whose equation it changes; the others
-    for (int j = 0; j < out.columns; ++j) {
-      sequence<expression> right;
-      for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
-      moved.push(only_entry(right));
-      if (moved[j] == none) solved.push(j);
-    }
-    if (out.rows >= fewest_rows_together && solved.size() >= fewest_columns_together) {
-      add_pivots(mass.solve_together(change, solved, out));
-    } else {
-      mass.prepare_for(change);
-      for (int j : solved) solve_column(mass, change, j, out);
-    }
-    add_columns_of_inverse(out, mass, change, moved);
+    const symbolic::matrix change = factored_changes();
+    mass_columns mass(g_, form_.known.mass);
+    symbolic::matrix out = mass.solve(change);
+    add_pivots(mass.pivots());
     for (int i = 0; i < direct_.rows; ++i)
       for (int j = 0; j < direct_.columns; ++j) out(i, j) += direct_(i, j);
     return out;
+  }
+
+  /// The changes of the force with common parts taken out. With constraints, the other results have most of
+  /// these parts in common with them.
+  constexpr symbolic::matrix factored_changes() {
+    constexpr int most_operations = 3000, most_passes = 1;
+    symbolic::matrix change = changes_of_force();
+    if (!form_.f_a.empty() || !has_no_dependents() || is_zero(change)) return change;
+    const sequence<int> nodes =
+        symbolic::factored(g_, symbolic::nodes_of(change.entries),
+                           symbolic::nodes_of(form_.known.mass.entries), most_operations, most_passes);
+    for (int i = 0; i < nodes.size(); ++i) change.entries[i] = {g_, nodes[i]};
+    return change;
   }
 
   /// −(f_2 + f_3). Separates the sums in which rates are combined with other terms, and the changes of the
@@ -293,42 +292,6 @@ private:
     symbolic::differentiation d = variations_.along(j);
     for (const combined_rate& each : combined_) d.set_rate(each.sum, {g_, graph::zero});
     return d;
-  }
-
-  /// The index of the only nonzero entry, or none.
-  static constexpr int only_entry(const sequence<expression>& all) {
-    int found = none;
-    for (int i = 0; i < all.size(); ++i)
-      if (!all[i].is_zero()) {
-        if (found != none) return none;
-        found = i;
-      }
-    return found;
-  }
-
-  constexpr void solve_column(const symbolic::symmetric_factorization& mass, const symbolic::matrix& change,
-                              int column, symbolic::matrix& out) {
-    sequence<expression> right;
-    for (int i = 0; i < out.rows; ++i) right.push(change(i, column));
-    const symbolic::symmetric_solution rates = mass.solve(right);
-    for (int i = 0; i < out.rows; ++i) out(i, column) = rates.x[i];
-    add_pivots(rates.pivots);
-  }
-
-  /// Adds the rates for directions that change the equation of only one speed, as the torque of a motor does;
-  /// these rates are a column of the inverse mass matrix.
-  constexpr void add_columns_of_inverse(symbolic::matrix& out, const symbolic::symmetric_factorization& mass,
-                                        const symbolic::matrix& change, const sequence<int>& moved) {
-    sequence<int> columns;
-    for (int i : moved)
-      if (i != none && !columns.contains(i)) columns.push(i);
-    const sequence<symbolic::symmetric_solution> inverse = mass.inverse_columns(columns);
-    for (const symbolic::symmetric_solution& column : inverse) add_pivots(column.pivots);
-    for (int j = 0; j < out.columns; ++j) {
-      if (moved[j] == none) continue;
-      const symbolic::symmetric_solution& column = inverse[columns.find(moved[j])];
-      for (int i = 0; i < out.rows; ++i) out(i, j) = change(moved[j], j) * column.x[i];
-    }
   }
 
   constexpr bool has_no_dependents() const {

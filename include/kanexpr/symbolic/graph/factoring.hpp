@@ -313,9 +313,9 @@ private:
 /// Returns the outputs with common parts of sums and products taken out. The nodes in `also_needed` are
 /// needed regardless of the outputs and remain unchanged. Long outputs are returned unchanged, because the
 /// time that compilers take for them matters more.
-constexpr sequence<int> factored(graph& g, const sequence<int>& outputs, const sequence<int>& also_needed) {
-  constexpr int most_passes = 4, least_part = 128; // what saves less is not worth another pass
-  constexpr int most_operations = 2500;
+constexpr sequence<int> factored(graph& g, const sequence<int>& outputs, const sequence<int>& also_needed,
+                                 int most_operations = 2500, int most_passes = 4) {
+  constexpr int least_part = 128; // what saves less is not worth another pass
   sequence<int> now = outputs;
   for (int pass = 0; pass < most_passes; ++pass) {
     factoring sums(g, now, also_needed);
