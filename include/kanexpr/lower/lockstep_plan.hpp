@@ -23,7 +23,7 @@ struct lockstep_action {
   enum class kind { argument, value, vector, gather };
 
   kind is = kind::argument;
-  operation op = operation::constant; ///< a change of sign stands for a value that is only stored
+  operation op = operation::constant; ///< a change of sign denotes a value that is only stored
   operand_form a{}, b{};
   int minus_a = 0, minus_b = 0; ///< of a vector: the lanes in which an operand changes its sign
   bool is_kept = false;         ///< whether the value is stored in memory

@@ -19,7 +19,7 @@ namespace kanexpr::lower {
 struct lengths {
   int longest_uncut = 30000; ///< of a tape that is expanded in one function
   int piece = 1500;
-  int shortest_in_lockstep = 2000; ///< of a tape in which equal branches are looked for
+  int shortest_in_lockstep = 2000; ///< of a tape that is examined for equal branches
 };
 
 /// The lengths for a tape that is a constant of the type `Code`; it may be specialized.
