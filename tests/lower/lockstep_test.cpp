@@ -64,6 +64,7 @@ private:
                      r = argument(symbol_kind::input, k);
     const expression s = sin(q), c = cos(q), s2 = sin(turned);
     const expression arm = number(side * (2 + k)) * s + c, reach = number(3) * c - number(side) * s * s2;
+    const expression both = number(side) * q + turned, swing = sin(both) * cos(both) * both;
     const expression spin = base_speed_ + number(side) * u, slip = v * arm - base_speed_ * reach;
     for (int i = 0; i < base; ++i) {
       const expression lever = i == 0 ? arm : i == 1 ? reach : arm * reach;
@@ -80,6 +81,7 @@ private:
     }
     kept_.push(-slip);
     kept_.push(spin * arm);
+    kept_.push(swing * slip);
   }
 
   symbolic::graph g_{};
@@ -89,10 +91,15 @@ private:
   base::sequence<expression> kept_{};
 };
 
+constexpr lower::tape tape_of_tree(int branches, int stunted) {
+  tree t(branches, stunted);
+  return t.run();
+}
+
 template <int branches, int stunted>
 struct code {
 private:
-  static constexpr lower::roomy_tape roomy = lower::fixed(tree(branches, stunted).run());
+  static constexpr lower::roomy_tape roomy = lower::fixed(tape_of_tree(branches, stunted));
 
 public:
   static constexpr auto tape = lower::trimmed<roomy.sizes>(roomy);

@@ -46,8 +46,9 @@ namespace detail {
 /// Finds the steps that have the same operands in each of several equal branches, beginning with their
 /// arguments. Operands outside the branches may differ, as numbers do, but are the same if possible.
 ///
-/// A bundle may depend on itself, through a step that depends on several branches; `lockstep_order` dissolves
-/// it. The code accesses arrays directly because compilers interpret every call.
+/// No bundle depends on itself: each of its steps depends on the same lane of other bundles, on values that
+/// all lanes share, and on values from outside, so that a circle of bundles would be a circle of steps. The
+/// code accesses arrays directly because compilers interpret every call.
 class lockstep_search {
 public:
   /// Only the steps before `end` are examined.
@@ -61,7 +62,7 @@ public:
     found_.minus_b.grow(slots), depend_on_branches_.grow(slots);
     bundle_ = found_.bundles.begin(), lane_ = found_.lane.begin(), minus_ = found_.minus.begin();
     root_ = found_.root.begin(), a_ = found_.a.begin(), b_ = found_.b.begin();
-    minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin(),
+    minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin();
     inside_ = depend_on_branches_.begin();
     for (int first = 0; first < branches.arguments.size(); first += lanes_)
       add_bundle(branches.arguments.begin() + first);

@@ -66,10 +66,9 @@ namespace detail {
 class lockstep_order {
 public:
   /// `place` has the place in memory of each slot, -1 if the value is not stored.
-  constexpr lockstep_order(const tape_view& t, lockstep& l, int given, int end, const int* place)
+  constexpr lockstep_order(const tape_view& t, const lockstep& l, int given, int end, const int* place)
       : tape_(t), l_(l), numbers_(t.numbers.size()), first_(t.first_step()), given_(given), end_(end),
-        place_(place), entry_of_(first_ + end, none), entry_of_bundle_(l.count() + 1, none),
-        is_open_(first_ + end + l.count()) {}
+        place_(place), entry_of_(first_ + end, none), entry_of_bundle_(l.count() + 1, none) {}
   lockstep_order(const lockstep_order&) = delete;
   lockstep_order& operator=(const lockstep_order&) = delete;
 
@@ -85,7 +84,7 @@ public:
   }
 
 private:
-  static constexpr int none = -1, dissolved = -2;
+  static constexpr int none = -1;
   using kind = lockstep_action::kind;
 
   constexpr operation op_of(int slot) const { return tape_.steps.op[slot - first_]; }
@@ -125,11 +124,7 @@ private:
     while (!open.empty()) {
       const int task = open.back(), before = open.size();
       if (!is_done(task)) push_operands(task, open);
-      if (open.size() != before) {
-        if (is_open_[task] != 0) dissolve_last(open, before);
-        is_open_[task] = 1;
-        continue;
-      }
+      if (open.size() != before) continue;
       open.pop();
       if (is_done(task)) continue;
       if (task < first_ + end_)
@@ -137,18 +132,6 @@ private:
       else
         add_bundle(task - first_ - end_);
     }
-  }
-
-  /// Dissolves the last bundle that was opened, because it waits for itself.
-  constexpr void dissolve_last(sequence<int>& open, int count) {
-    int i = count - 1;
-    while (open[i] < first_ + end_ || is_open_[open[i]] == 0 || is_done(open[i])) --i;
-    const int bundle = open[i] - first_ - end_;
-    for (int k = 0; k < l_.lanes; ++k) {
-      const int slot = l_.members[bundle * l_.lanes + k];
-      l_.bundles[slot] = 0, l_.lane[slot] = 0, l_.minus[slot] = 0;
-    }
-    entry_of_bundle_[bundle] = dissolved;
   }
 
   constexpr void push_operands(int task, sequence<int>& open) const {
@@ -221,7 +204,9 @@ private:
   constexpr void add_bundle(int bundle) {
     const int* const slots = l_.members.begin() + bundle * l_.lanes;
     if (is_apart(slots[0])) {
-      entry_of_bundle_[bundle] = gather(slots, 0);
+      int minus = 0;
+      for (int k = 0; k < l_.lanes; ++k) minus |= l_.minus[slots[k]] << k;
+      entry_of_bundle_[bundle] = gather(slots, minus);
       return;
     }
     signed_step s[4];
@@ -230,9 +215,10 @@ private:
       s[k] = l_.step_of(tape_, slots[k]);
       first[k] = s[k].a, second[k] = s[k].b;
     }
+    const bool whole_a = is_whole(first[0], first[1]), whole_b = is_whole(second[0], second[1]);
     for (int k = 0; k < l_.lanes; ++k) {
-      const bool a = s[k].minus_a != is_minus(s[0].a, s[k].a), b = s[k].minus_b != is_minus(s[0].b, s[k].b);
-      const bool all = l_.minus[slots[k]] != 0;
+      const bool all = l_.minus[slots[k]] != 0, a = s[k].minus_a != (whole_a && l_.minus[first[k]] != 0),
+                 b = s[k].minus_b != (whole_b && l_.minus[second[k]] != 0);
       if (s[0].op == operation::add) {
         minus_a |= (a != all ? 1 : 0) << k;
         minus_b |= (b != all ? 1 : 0) << k;
@@ -251,8 +237,6 @@ private:
             entry_of_bundle_[bundle], 0, 0, 0, place_[slots[k]]);
   }
 
-  constexpr bool is_minus(int first, int slot) const { return l_.bundles[first] != 0 && l_.minus[slot] != 0; }
-
   /// Whether an operand is neither another bundle nor the same value in all lanes.
   constexpr bool is_gathered(const int* slots) const {
     if (is_whole(slots[0], slots[1])) return false;
@@ -265,7 +249,11 @@ private:
   constexpr operand vector_operand(const int* slots, int& minus) {
     if (is_whole(slots[0], slots[1]))
       return {entry_of_bundle_[l_.bundles[slots[0]] - 1], {operand_form::whole}};
-    if (!is_gathered(slots)) return scalar(slots[0], false);
+    if (!is_gathered(slots)) {
+      const operand same = scalar(slots[0], false);
+      if (same.form.is_minus) minus ^= (1 << l_.lanes) - 1;
+      return {same.entry, {same.form.lane}};
+    }
     const int gathered = gather(slots, minus);
     minus = 0;
     return {gathered, {operand_form::whole}};
@@ -278,11 +266,10 @@ private:
   }
 
   const tape_view& tape_;
-  lockstep& l_;
+  const lockstep& l_;
   int numbers_, first_, given_, end_, first_entry_ = 0;
   const int* place_;
   sequence<int> entry_of_, entry_of_bundle_;
-  base::zeros<char> is_open_; ///< of each task, whether its operands were listed
   lockstep_entries out_{};
 };
 

@@ -20,7 +20,8 @@ template <class Code, class Cuts, int most_lanes>
 class lockstep_plan {
   static constexpr const auto& tape = Code::tape;
   static constexpr int given = tape.sizes.first_angle + 2 * tape.sizes.angles;
-  static constexpr std::size_t room = static_cast<std::size_t>(2 * tape.slot_count());
+  static constexpr std::size_t room =
+      static_cast<std::size_t>(3 * tape.slot_count()); // with stored lanes and gathered operands
 
   struct arrays {
     int lanes = 0; ///< 0 if nothing runs in lockstep
@@ -34,7 +35,7 @@ class lockstep_plan {
       if (!is_possible(end)) return;
       const equal_branches branches = equal_branches_of(view, most_lanes);
       if (branches.count == 0) return;
-      lockstep found = detail::lockstep_search(view, branches, end).run();
+      const lockstep found = detail::lockstep_search(view, branches, end).run();
       if (4 * found.count() * (found.lanes - 1) < end) return; // too few to pay
       const lockstep_entries all = detail::lockstep_order(view, found, given, end, Cuts::value.place).run();
       lanes = found.lanes, entries = all.action.size(), early_count = all.early.size();

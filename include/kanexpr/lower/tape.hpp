@@ -266,8 +266,8 @@ constexpr Tape tape_from(graph& g, const sequence<int>& outputs) {
 /// Builds the tape that computes the outputs of a graph. Small linear systems are first expanded in the
 /// graph.
 constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
-  return __builtin_is_constant_evaluated() ? detail::tape_from<true, tape>(g, outputs)
-                                           : detail::tape_from<false, tape>(g, outputs);
+  if (__builtin_is_constant_evaluated()) return detail::tape_from<true, tape>(g, outputs);
+  return detail::tape_from<false, tape>(g, outputs);
 }
 
 /// The same, for constant evaluation only.
