@@ -22,7 +22,7 @@ namespace kanexpr::derivation {
 /// counts are unused. Only constant evaluation may use it, because any other reference would put it into the
 /// program.
 struct image {
-  static constexpr int most_nodes = 1 << 17;
+  static constexpr int most_nodes = 1 << 18;
   static constexpr int most_integers = 1 << 18;
   static constexpr int most_numbers = 1 << 14;
   static constexpr int most_entities = 1 << 12;

@@ -41,7 +41,7 @@ struct fixed_tape {
 };
 
 /// Enough capacity for any model that a compiler can derive in reasonable time.
-inline constexpr int most_steps = 1 << 16;
+inline constexpr int most_steps = 1 << 17;
 inline constexpr int most_linear_steps = most_steps / 16;
 inline constexpr int most_externals = 1 << 8;
 
