@@ -162,10 +162,10 @@ private:
     for (int k = 0; k < found_.count; ++k) sets[k] &= ~common;
   }
 
-  constexpr void add_roles(std::uint64_t* sets, const int* slots) {
+  constexpr void add_roles(std::uint64_t* sets, const int* arguments) {
     while (sets[0] != 0)
       for (int k = 0; k < found_.count; ++k) {
-        found_.arguments.push(slots[__builtin_ctzll(sets[k])]);
+        found_.arguments.push(arguments[__builtin_ctzll(sets[k])]);
         sets[k] &= sets[k] - 1;
       }
   }

@@ -55,11 +55,11 @@ public:
   constexpr lockstep_search(const tape_view& t, const equal_branches& branches, int end)
       : tape_(t), numbers_(t.numbers.size()), first_(t.first_step()), end_(end), lanes_(branches.count),
         op_(t.steps.op) {
-    const int slots = first_ + end;
+    const int size = first_ + end;
     found_.lanes = lanes_;
-    found_.bundles.grow(slots), found_.lane.grow(slots), found_.minus.grow(slots), found_.root.grow(slots);
-    found_.negated.grow(slots), found_.a.grow(slots), found_.b.grow(slots), found_.minus_a.grow(slots);
-    found_.minus_b.grow(slots), depend_on_branches_.grow(slots);
+    found_.bundles.grow(size), found_.lane.grow(size), found_.minus.grow(size), found_.root.grow(size);
+    found_.negated.grow(size), found_.a.grow(size), found_.b.grow(size), found_.minus_a.grow(size);
+    found_.minus_b.grow(size), depend_on_branches_.grow(size);
     bundle_ = found_.bundles.begin(), lane_ = found_.lane.begin(), minus_ = found_.minus.begin();
     root_ = found_.root.begin(), a_ = found_.a.begin(), b_ = found_.b.begin();
     minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin();
@@ -264,13 +264,13 @@ private:
     add_bundle(all);
   }
 
-  constexpr void add_bundle(const int* slots) {
+  constexpr void add_bundle(const int* members) {
     for (int k = 0; k < lanes_; ++k) {
-      found_.members.push(slots[k]);
-      if (k != 0) lane_[slots[k]] = static_cast<char>(k);
+      found_.members.push(members[k]);
+      if (k != 0) lane_[members[k]] = static_cast<char>(k);
     }
     const int bundle = found_.members.size() / lanes_;
-    for (int k = 0; k < lanes_; ++k) bundle_[slots[k]] = bundle;
+    for (int k = 0; k < lanes_; ++k) bundle_[members[k]] = bundle;
   }
 
   const tape_view& tape_;

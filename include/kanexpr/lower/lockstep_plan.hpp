@@ -145,16 +145,16 @@ private:
       need(task_of(s.b));
       return;
     }
-    const int* const slots = l_.members.begin() + (task - first_ - end_) * l_.lanes;
-    if (is_apart(slots[0])) {
-      for (int k = 0; k < l_.lanes; ++k) need(slots[k]);
+    const int* const members = l_.members.begin() + (task - first_ - end_) * l_.lanes;
+    if (is_apart(members[0])) {
+      for (int k = 0; k < l_.lanes; ++k) need(members[k]);
       return;
     }
-    const signed_step s = l_.step_of(tape_, slots[0]), next = l_.step_of(tape_, slots[1]);
+    const signed_step s = l_.step_of(tape_, members[0]), next = l_.step_of(tape_, members[1]);
     if (is_whole(s.a, next.a)) need(task_of_bundle(s.a));
     if (is_whole(s.b, next.b)) need(task_of_bundle(s.b));
     for (int k = 0; k < l_.lanes; ++k) {
-      const signed_step each = l_.step_of(tape_, slots[k]);
+      const signed_step each = l_.step_of(tape_, members[k]);
       if (!is_whole(s.a, next.a)) need(task_of(each.a));
       if (!is_whole(s.b, next.b)) need(task_of(each.b));
     }
@@ -202,22 +202,22 @@ private:
   }
 
   constexpr void add_bundle(int bundle) {
-    const int* const slots = l_.members.begin() + bundle * l_.lanes;
-    if (is_apart(slots[0])) {
+    const int* const members = l_.members.begin() + bundle * l_.lanes;
+    if (is_apart(members[0])) {
       int minus = 0;
-      for (int k = 0; k < l_.lanes; ++k) minus |= l_.minus[slots[k]] << k;
-      entry_of_bundle_[bundle] = gather(slots, minus);
+      for (int k = 0; k < l_.lanes; ++k) minus |= l_.minus[members[k]] << k;
+      entry_of_bundle_[bundle] = gather(members, minus);
       return;
     }
     signed_step s[4];
     int first[4]{}, second[4]{}, minus_a = 0, minus_b = 0;
     for (int k = 0; k < l_.lanes; ++k) {
-      s[k] = l_.step_of(tape_, slots[k]);
+      s[k] = l_.step_of(tape_, members[k]);
       first[k] = s[k].a, second[k] = s[k].b;
     }
     const bool whole_a = is_whole(first[0], first[1]), whole_b = is_whole(second[0], second[1]);
     for (int k = 0; k < l_.lanes; ++k) {
-      const bool all = l_.minus[slots[k]] != 0, a = s[k].minus_a != (whole_a && l_.minus[first[k]] != 0),
+      const bool all = l_.minus[members[k]] != 0, a = s[k].minus_a != (whole_a && l_.minus[first[k]] != 0),
                  b = s[k].minus_b != (whole_b && l_.minus[second[k]] != 0);
       if (s[0].op == operation::add) {
         minus_a |= (a != all ? 1 : 0) << k;
@@ -232,36 +232,36 @@ private:
     ++out_.operations;
     ++out_.vector_operations;
     for (int k = 0; k < l_.lanes; ++k)
-      if (place_[slots[k]] != none)
-        add({kind::value, operation::negate, {k, l_.minus[slots[k]] == 0}, {}, 0, 0, true},
-            entry_of_bundle_[bundle], 0, 0, 0, place_[slots[k]]);
+      if (place_[members[k]] != none)
+        add({kind::value, operation::negate, {k, l_.minus[members[k]] == 0}, {}, 0, 0, true},
+            entry_of_bundle_[bundle], 0, 0, 0, place_[members[k]]);
   }
 
   /// Whether an operand is neither another bundle nor the same value in all lanes.
-  constexpr bool is_gathered(const int* slots) const {
-    if (is_whole(slots[0], slots[1])) return false;
-    bool is_same = slots[0] >= numbers_;
-    for (int k = 1; k < l_.lanes; ++k) is_same = is_same && slots[k] == slots[0];
+  constexpr bool is_gathered(const int* operands) const {
+    if (is_whole(operands[0], operands[1])) return false;
+    bool is_same = operands[0] >= numbers_;
+    for (int k = 1; k < l_.lanes; ++k) is_same = is_same && operands[k] == operands[0];
     return !is_same;
   }
 
   /// What is gathered takes its signs with it.
-  constexpr operand vector_operand(const int* slots, int& minus) {
-    if (is_whole(slots[0], slots[1]))
-      return {entry_of_bundle_[l_.bundles[slots[0]] - 1], {operand_form::whole}};
-    if (!is_gathered(slots)) {
-      const operand same = scalar(slots[0], false);
+  constexpr operand vector_operand(const int* operands, int& minus) {
+    if (is_whole(operands[0], operands[1]))
+      return {entry_of_bundle_[l_.bundles[operands[0]] - 1], {operand_form::whole}};
+    if (!is_gathered(operands)) {
+      const operand same = scalar(operands[0], false);
       if (same.form.is_minus) minus ^= (1 << l_.lanes) - 1;
       return {same.entry, {same.form.lane}};
     }
-    const int gathered = gather(slots, minus);
+    const int gathered = gather(operands, minus);
     minus = 0;
     return {gathered, {operand_form::whole}};
   }
 
-  constexpr int gather(const int* slots, int minus) {
+  constexpr int gather(const int* operands, int minus) {
     int all[4]{};
-    for (int k = 0; k < l_.lanes; ++k) all[k] = entry_of_[slots[k]];
+    for (int k = 0; k < l_.lanes; ++k) all[k] = entry_of_[operands[k]];
     return add({kind::gather, operation::constant, {}, {}, minus, 0, false}, all[0], all[1], all[2], all[3]);
   }
 

@@ -34,7 +34,7 @@ public:
         operands_(3 * count), order_(count) {
     const auto& nodes = g.elements<is_constant>();
     const auto& ids = live.elements<is_constant>();
-    const auto& slots = slot_of.elements<is_constant>();
+    const auto& slot_at = slot_of.elements<is_constant>();
     auto& place = places_.elements<is_constant>();
     auto& value = values_.elements<is_constant>();
     auto& rank = ranks_.elements<is_constant>();
@@ -42,7 +42,7 @@ public:
     for (int i = 0; i < count; ++i) {
       const int id = ids[i];
       if (nodes[id].op <= operation::symbol) continue;
-      rank[values] = slots[id] == 0 ? waiting : done;
+      rank[values] = slot_at[id] == 0 ? waiting : done;
       value[values] = id;
       place[id] = ++values;
     }
