@@ -146,7 +146,8 @@ private:
     if (lane_[a] != 0 || lane_[b] != 0 || (bundle_[a] == 0 && bundle_[b] == 0)) return;
     const bool by_b = bundle_[a] == 0 || (bundle_[b] != 0 && first_user_[b + 1] - first_user_[b] <
                                                                  first_user_[a + 1] - first_user_[a]);
-    const int* const anchors = found_.members.begin() + (bundle_[by_b ? b : a] - 1) * lanes_;
+    const int first_anchor = (bundle_[by_b ? b : a] - 1) * lanes_;
+    const int* const anchors = found_.members.begin() + first_anchor;
     int all[most_lanes]{slot};
     bool exchanged[most_lanes]{};
     for (int k = 1; k < lanes_; ++k) {

@@ -145,7 +145,7 @@ private:
       need(task_of(s.b));
       return;
     }
-    const int* const members = l_.members.begin() + (task - first_ - end_) * l_.lanes;
+    const int* const members = members_of(task - first_ - end_);
     if (is_apart(members[0])) {
       for (int k = 0; k < l_.lanes; ++k) need(members[k]);
       return;
@@ -164,6 +164,11 @@ private:
   constexpr bool is_whole(int slot, int next) const {
     const int bundle = l_.bundles[slot];
     return bundle != 0 && l_.lane[slot] == 0 && l_.members[(bundle - 1) * l_.lanes + 1] == next;
+  }
+
+  constexpr const int* members_of(int bundle) const {
+    const int first = bundle * l_.lanes;
+    return l_.members.begin() + first;
   }
 
   constexpr int add(const lockstep_action& action, int a, int b = 0, int c = 0, int d = 0, int place = 0) {
@@ -202,7 +207,7 @@ private:
   }
 
   constexpr void add_bundle(int bundle) {
-    const int* const members = l_.members.begin() + bundle * l_.lanes;
+    const int* const members = members_of(bundle);
     if (is_apart(members[0])) {
       int minus = 0;
       for (int k = 0; k < l_.lanes; ++k) minus |= l_.minus[members[k]] << k;
