@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/zeros.hpp>
+#include <kanexpr/lower/equal_branches.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/lockstep.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
@@ -279,5 +280,54 @@ private:
 };
 
 } // namespace detail
+
+/// The steps before the first symmetric system, with equal branches in lockstep. `Cuts` is the type whose
+/// constant `value` has the places in memory.
+template <class Code, class Cuts, int most_lanes>
+class lockstep_plan {
+  static constexpr const auto& tape = Code::tape;
+  static constexpr int given = tape.sizes.first_angle + 2 * tape.sizes.angles;
+  static constexpr std::size_t room =
+      static_cast<std::size_t>(3 * tape.slot_count()); // with stored lanes and gathered operands
+
+  struct arrays {
+    int lanes = 0; ///< 0 if nothing runs in lockstep
+    int entries = 0, early_count = 0;
+    int operations = 0, vector_operations = 0;
+    int early[room]{}, action[room]{}, place[room]{}, a[room]{}, b[room]{}, c[room]{}, d[room]{};
+
+    constexpr arrays() {
+      const tape_view view(tape);
+      const int end = Cuts::value.first[1];
+      if (!is_possible(end)) return;
+      const equal_branches branches = equal_branches_of(view, most_lanes);
+      if (branches.count == 0) return;
+      const lockstep found = detail::lockstep_search(view, branches, end).run();
+      if (4 * found.count() * (found.lanes - 1) < end) return; // too few to pay
+      const lockstep_entries all = detail::lockstep_order(view, found, given, end, Cuts::value.place).run();
+      lanes = found.lanes, entries = all.action.size(), early_count = all.early.size();
+      operations = all.operations, vector_operations = all.vector_operations;
+      copy(all.early, early), copy(all.action, action), copy(all.place, place);
+      copy(all.a, a), copy(all.b, b), copy(all.c, c), copy(all.d, d);
+    }
+
+    /// Steps that fill several slots are not provided for.
+    static constexpr bool is_possible(int end) {
+      if (Cuts::value.pieces < 2 || Cuts::value.solves[0] >= 0 || Cuts::value.solves[1] < 0) return false;
+      for (int i = 0; i < tape.sizes.linear_steps; ++i)
+        if (tape.linear_steps[i].step < end) return false;
+      for (int i = given; i < end; ++i)
+        if (tape.paired[i]) return false;
+      return true;
+    }
+    static constexpr void copy(const sequence<int>& from, int* to) {
+      const int* const each = from.begin();
+      for (int i = 0, end = from.size(); i < end; ++i) to[i] = each[i];
+    }
+  };
+
+public:
+  static constexpr arrays value{};
+};
 
 } // namespace kanexpr::lower
