@@ -11,6 +11,7 @@
 namespace {
 
 using namespace kanexpr::numeric;
+namespace base = kanexpr::base;
 
 constexpr auto a = by_rows({{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}});
 constexpr auto b = by_rows({{1.0, 0.0}, {2.0, -1.0}, {0.0, 3.0}});
@@ -50,6 +51,28 @@ TEST(fixed_matrix, solves_as_eigen_does) {
   const Eigen::Matrix<double, 3, 2> expected = as_eigen(regular).inverse() * as_eigen(b);
   EXPECT_LE((as_eigen(x) - expected).norm(), 1e-15);
 }
+
+// Columns are solved side by side, each with the operations of one alone, in constant expressions as well.
+template <int columns>
+constexpr bool are_solved_as_alone() {
+  constexpr int order = 5;
+  fixed_matrix<double, order, order> m;
+  fixed_matrix<double, order, columns> right;
+  unsigned seed = 1;
+  const auto next = [&] { return double((seed = seed * 1664525U + 1013904223U) >> 8) * 1e-7 - 1; };
+  for (double& entry : m.entries) entry = next();
+  for (double& entry : right.entries) entry = next();
+  const eliminated<double, order> of_m(m);
+  const auto together = of_m.solve(right);
+  bool all = true;
+  for (int j = 0; j < columns; ++j) {
+    const auto alone = of_m.solve(right.at({0, 1, 2, 3, 4}, {j}));
+    for (int i = 0; i < order; ++i)
+      all = all && base::equal(alone(i), together(i, j)) && !base::equal(alone(i), 0.0);
+  }
+  return all;
+}
+static_assert(are_solved_as_alone<1>() && are_solved_as_alone<9>());
 
 constexpr auto definite = by_rows({{4e12, 1e6, 0.0}, {1e6, 2.0, 1e-6}, {0.0, 1e-6, 3e-12}});
 constexpr positive_factors<double, 3> root(definite);

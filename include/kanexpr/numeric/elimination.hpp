@@ -22,6 +22,16 @@ struct factors {
   constexpr int size() const { return least_pivot() + 1; }
 };
 
+namespace detail {
+
+/// Subtracts a multiple of a row.
+template <int columns, class Number>
+constexpr void subtract(Number* __restrict from, const Number factor, const Number* __restrict row) {
+  for (int c = 0; c < columns; ++c) from[c] = Number(from[c] - Number(factor * row[c]));
+}
+
+} // namespace detail
+
 /// Factorizes the matrix at the start of `f`. `Math` provides `magnitude`, `reciprocal` and
 /// `exchange_if_positive(d, a, b)`.
 template <class Math, class Number>
@@ -30,9 +40,8 @@ constexpr void factorize(int order, Number* f) {
   Number least = f[0];
   for (int k = 0; k < order; ++k) {
     for (int i = k + 1; i < order; ++i) {
-      Number& excess = f[place.excess(k, i)];
       const Number lower = Math::magnitude(f[place.at(i, k)]), upper = Math::magnitude(f[place.at(k, k)]);
-      excess = Number(lower - upper);
+      const Number excess = f[place.excess(k, i)] = Number(lower - upper);
       for (int j = k; j < order; ++j)
         Math::exchange_if_positive(excess, f[place.at(k, j)], f[place.at(i, j)]);
     }
@@ -44,8 +53,7 @@ constexpr void factorize(int order, Number* f) {
       Math::exchange_if_positive(Number(least - size), least, size);
     pivot = Math::reciprocal(pivot);
     for (int i = k + 1; i < order; ++i) {
-      Number& multiplier = f[place.at(i, k)];
-      multiplier = Number(multiplier * pivot);
+      const Number multiplier = f[place.at(i, k)] = Number(f[place.at(i, k)] * pivot);
       for (int j = k + 1; j < order; ++j)
         f[place.at(i, j)] = Number(f[place.at(i, j)] - Number(multiplier * f[place.at(k, j)]));
     }
@@ -53,18 +61,26 @@ constexpr void factorize(int order, Number* f) {
   f[place.least_pivot()] = least;
 }
 
-/// Solves A x = b, with b passed in x.
-template <class Math, class Number>
+/// Solves A X = B for several columns side by side, with B passed in x row by row. Each column takes the same
+/// operations as one alone.
+template <class Math, int columns = 1, class Number>
 constexpr void solve_factorized(int order, const Number* f, Number* x) {
   const factors place{order};
   for (int k = 0; k < order; ++k) {
-    for (int i = k + 1; i < order; ++i) Math::exchange_if_positive(f[place.excess(k, i)], x[k], x[i]);
-    for (int i = k + 1; i < order; ++i) x[i] = Number(x[i] - Number(f[place.at(i, k)] * x[k]));
+    Number* const pivot = x + k * columns;
+    for (int i = k + 1; i < order; ++i) {
+      const Number excess = f[place.excess(k, i)];
+      Number* const row = x + i * columns;
+      for (int c = 0; c < columns; ++c) Math::exchange_if_positive(excess, pivot[c], row[c]);
+    }
+    for (int i = k + 1; i < order; ++i) detail::subtract<columns>(x + i * columns, f[place.at(i, k)], pivot);
   }
   for (int done = 0; done < order; ++done) {
     const int k = order - 1 - done;
-    for (int j = k + 1; j < order; ++j) x[k] = Number(x[k] - Number(f[place.at(k, j)] * x[j]));
-    x[k] = Number(x[k] * f[place.at(k, k)]);
+    Number* const row = x + k * columns;
+    for (int j = k + 1; j < order; ++j) detail::subtract<columns>(row, f[place.at(k, j)], x + j * columns);
+    const Number inverse = f[place.at(k, k)];
+    for (int c = 0; c < columns; ++c) row[c] = Number(row[c] * inverse);
   }
 }
 

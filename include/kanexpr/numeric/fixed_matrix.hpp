@@ -159,8 +159,9 @@ public:
 
   template <int columns>
   constexpr fixed_matrix<Number, order, columns> solve(fixed_matrix<Number, order, columns> b) const {
-    for (int j = 0; j < columns; ++j) solve_factorized<math>(order, f_, b.entries + j * order);
-    return b;
+    fixed_matrix<Number, columns, order> rows = transposed(b); // stores B row by row
+    solve_factorized<math, columns>(order, f_, rows.entries);
+    return transposed(rows);
   }
 
 private:
