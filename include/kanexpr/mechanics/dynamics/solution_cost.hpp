@@ -36,9 +36,14 @@ constexpr symbolic::cost cost_of(const symbolic::symmetric_solution& solved) {
 
 namespace detail {
 
+/// Whether all frames that rotate share their axes, as in a planar mechanism.
 constexpr bool is_planar(const skeleton& s) {
-  for (int axes : s.working_axes)
-    if (axes != mechanism::inertial) return false;
+  int common = none;
+  for (int f = 1; f < s.working_axes.size(); ++f) {
+    if (s.rigid_with[f] == mechanism::inertial) continue;
+    if (common == none) common = s.working_axes[f];
+    if (s.working_axes[f] != common) return false;
+  }
   return true;
 }
 

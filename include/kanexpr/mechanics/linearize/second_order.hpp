@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -83,7 +84,7 @@ public:
     }
     for (int i = 0; i < size; ++i)
       for (int j = i; j < size; ++j) all(i, j) = all(j, i) = all(i, j) + (through(i, j) + through(j, i));
-    return with_adjoint(all);
+    return factored(with_adjoint(all));
   }
 
   /// ∂²(λᵀẋ)/∂z² v: the derivative of the gradient along v, with the corresponding changes of u̇ and μ.
@@ -201,6 +202,15 @@ private:
     symbolic::substitution known(g_);
     for (int i = 0; i < held_.size(); ++i) known.replace(held_[i], adjoint[i]);
     for (expression& e : m.entries) e = known.in(e);
+    return m;
+  }
+
+  /// Takes common parts out of the entries.
+  constexpr symbolic::matrix factored(symbolic::matrix m) const {
+    constexpr int most_operations = 10'000;
+    const sequence<int> nodes = symbolic::factored(
+        g_, symbolic::nodes_of(m.entries), symbolic::nodes_of(form_.known.mass.entries), most_operations);
+    for (int i = 0; i < nodes.size(); ++i) m.entries[i] = {g_, nodes[i]};
     return m;
   }
 

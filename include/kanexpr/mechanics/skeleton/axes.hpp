@@ -76,6 +76,34 @@ constexpr bool planar(const skeleton& s) {
   return true;
 }
 
+/// The only frame that rotates in the ground, in which all others then rotate; the ground if there are
+/// several, or if points move relative to frames, which they do along axes of the ground.
+constexpr int first_rotating_frame(const skeleton& s) {
+  int first = none;
+  for (const station& n : s.stations)
+    if (!n.relative_velocity.parts.empty()) return mechanism::inertial;
+  for (int f = 1; f < s.rigid_with.size(); ++f) {
+    if (s.rigid_with[f] != f || s.turns_in[f] != mechanism::inertial) continue;
+    if (first != none) return mechanism::inertial;
+    first = f;
+  }
+  return first == none ? mechanism::inertial : first;
+}
+
+/// Whether no other frame rotates in frame `f`.
+constexpr bool carries_no_frame(const skeleton& s, int f) {
+  for (int g = 1; g < s.rigid_with.size(); ++g)
+    if (s.rigid_with[g] == g && s.turns_in[g] == f) return false;
+  return true;
+}
+
+/// Whether the equations of frame `f` are written in the axes of the frame below: its inertia is needed there
+/// in any case, and nothing farther out would have to be turned twice.
+constexpr bool is_last_of_spatial_chain(const skeleton& s, int f) {
+  return s.joint_axis(f) != none && s.turns_in[f] != mechanism::inertial && s.body_axes[f] == f &&
+         !carries_flexible_body(s, f) && carries_no_frame(s, f);
+}
+
 /// Whether `f` and its parent frame rotate about the same axis.
 constexpr bool parallel_to_parent(const skeleton& s, int f) {
   const int axis = s.joint_axis(f);
@@ -108,20 +136,25 @@ constexpr void choose_body_axes(skeleton& s) {
 
 /// Chooses the working axes of all frames. They are the body axes, except for successive frames that rotate
 /// about parallel axes: these share the axes of the preceding frame, in which the common axis is constant, so
-/// that no transformation is needed between them. The formulation of the model may determine others.
+/// that no transformation is needed between them. In a planar mechanism, these are the axes of the first
+/// frame, whose own vectors are constant in them. The last frame of a chain has those of the frame below. The
+/// formulation of the model may determine others.
 constexpr void choose_working_axes(skeleton& s) {
   s.working_axes = s.body_axes;
   const bool planar = detail::planar(s);
+  const int common = planar ? detail::first_rotating_frame(s) : mechanism::inertial;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     if (s.rigid_with[f] != f) continue;
     if (planar) {
-      s.working_axes[f] = mechanism::inertial;
+      s.working_axes[f] = common;
     } else if (s.body_axes[f] == f && !detail::carries_flexible_body(s, f) &&
                detail::parallel_to_parent(s, f)) {
       int below = s.rigid_with[s.model->frames[f].parent];
       if (s.working_axes[below] == below && !detail::carries_flexible_body(s, below))
         s.working_axes[below] = s.working_axes[s.rigid_with[s.model->frames[below].parent]];
       s.working_axes[f] = s.working_axes[below];
+    } else if (detail::is_last_of_spatial_chain(s, f)) {
+      s.working_axes[f] = s.working_axes[s.turns_in[f]];
     }
   }
   for (const formulation_of_frame& given : s.model->formulated.frames) {
