@@ -78,7 +78,7 @@ TEST(run_time, lists_operations) {
   auto pendulum = derive<simple_pendulum::System>();
 #include <docs/guide/run-time/listing.cpp>
   EXPECT_EQ(here.text(), "t1 = u * c\nt2 = T - t1\nt3 = m * l\ns1 = sin(q)\n"
-                         "t4 = t3 * s1\nt5 = g * t4\nt6 = t2 - t5\nforcing = t6\n");
+                         "t4 = g * s1\nt5 = t3 * t4\nt6 = t2 - t5\nforcing = t6\n");
 #include <docs/guide/run-time/entries.cpp>
   EXPECT_NE(here.text().find("mass_matrix(u, u) = l^2*m"), std::string::npos);
 #include <docs/guide/run-time/symbols.cpp>

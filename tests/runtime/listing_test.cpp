@@ -144,8 +144,8 @@ TEST(listing, has_one_operation_a_line) {
                                                  "t2 = T - t1\n"
                                                  "t3 = m * l\n"
                                                  "s1 = sin(q)\n"
-                                                 "t4 = t3 * s1\n"
-                                                 "t5 = g * t4\n"
+                                                 "t4 = g * s1\n"
+                                                 "t5 = t3 * t4\n"
                                                  "t6 = t2 - t5\n"
                                                  "forcing = t6\n");
 }

@@ -103,8 +103,10 @@ int main(int count, char** arguments) {
   CLI::App app("Writes the model of a robot described by a URDF or SDF file as a C++ header.");
   app.add_option("file", r.file, "the robot; .sdf and .world files are read as SDF")->required();
   app.add_option("-n,--name", r.name, "the namespace of the model (default: the name of the file)");
-  app.add_option("-o,--output", r.header, "the header to write (default: standard output)");
-  app.add_option("--picture", r.picture, "a second header to write, with the picture of the robot");
+  auto* const output =
+      app.add_option("-o,--output", r.header, "the header to write (default: standard output)");
+  auto* const picture =
+      app.add_option("--picture", r.picture, "a second header to write, with the picture of the robot");
   app.add_option("--base", r.base, "whether the root is fixed (default) or moves")
       ->check(CLI::IsMember({"fixed", "floating"}))
       ->option_text("fixed|floating");
@@ -125,7 +127,8 @@ int main(int count, char** arguments) {
   app.add_flag("--cheapest", r.is_cheapest,
                "state the form of the equations in which u' takes the fewest operations");
   app.add_flag("--explain", r.explains,
-               "print the forms of the equations and what u' costs in each; write nothing");
+               "print the forms of the equations and what u' costs in each; write nothing")
+      ->excludes(output, picture);
   app.add_flag("-q,--quiet", r.quiet, "do not print notes about the file and about renamed links and joints");
   CLI11_PARSE(app, count, arguments);
   return write(std::move(r));

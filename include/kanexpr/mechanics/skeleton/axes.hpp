@@ -97,11 +97,21 @@ constexpr bool carries_no_frame(const skeleton& s, int f) {
   return true;
 }
 
+/// Whether points move along axes of frame `f`.
+constexpr bool carries_moving_point(const skeleton& s, int f) {
+  for (const station& n : s.stations)
+    for (const vector::part& p : n.relative_velocity.parts)
+      if (s.rigid_with[p.frame] == f) return true;
+  return false;
+}
+
 /// Whether the equations of frame `f` are written in the axes of the frame below: its inertia is needed there
 /// in any case, and nothing farther out would have to be turned twice.
 constexpr bool is_last_of_spatial_chain(const skeleton& s, int f) {
-  return s.joint_axis(f) != none && s.turns_in[f] != mechanism::inertial && s.body_axes[f] == f &&
-         !carries_flexible_body(s, f) && carries_no_frame(s, f);
+  const int below = s.turns_in[f];
+  return s.joint_axis(f) != none && below != mechanism::inertial && s.body_axes[f] == f &&
+         s.working_axes[below] == below && !carries_flexible_body(s, f) && !carries_moving_point(s, f) &&
+         carries_no_frame(s, f);
 }
 
 /// Whether `f` and its parent frame rotate about the same axis.
