@@ -35,6 +35,32 @@ struct symmetric_columns {
 
 namespace detail {
 
+/// A product that is not combined with other constants, and is therefore rounded as in a step on columns.
+constexpr int product_as_written(graph& g, int a, int b) {
+  const node x = g[a], y = g[b];
+  const bool is_constant = x.op == operation::constant;
+  if (a <= graph::one || b <= graph::one || (is_constant && y.op == operation::constant))
+    return multiply(g, a, b);
+  if (is_constant && g.number_at(a).negative())
+    return negate(g, product_as_written(g, g.constant(-g.number_at(a)), b));
+  if (x.op == operation::negate) return negate(g, product_as_written(g, x.a, b));
+  if (y.op == operation::constant || y.op == operation::negate || b < a) {
+    if (!is_constant) return product_as_written(g, b, a);
+    if (y.op == operation::negate) return negate(g, product_as_written(g, a, y.a));
+  }
+  return g.find_or_append({operation::multiply, a, b});
+}
+
+/// A difference whose terms are not combined.
+constexpr int difference_as_written(graph& g, int a, int b) {
+  const node x = g[a], y = g[b];
+  if (a == graph::zero || b == graph::zero || a == b ||
+      (x.op == operation::constant && y.op == operation::constant))
+    return subtract(g, a, b);
+  if (y.op != operation::negate) return g.find_or_append({operation::subtract, a, b});
+  return g.find_or_append(a < y.a ? node{operation::add, a, y.a} : node{operation::add, y.a, a});
+}
+
 /// Replaces the nodes that solve for many columns by the operations of each column.
 class column_expansion {
 public:
@@ -67,8 +93,8 @@ private:
     for (int j = 0; j < system.columns; ++j)
       for (const numeric::column_step& s : steps.all) {
         int& to = x[s.to * system.columns + j];
-        const int product = multiply(g_, system.factors[s.factor], x[s.from * system.columns + j]);
-        to = s.is_pivot() ? product : s.fills ? negate(g_, product) : subtract(g_, to, product);
+        const int product = product_as_written(g_, system.factors[s.factor], x[s.from * system.columns + j]);
+        to = s.is_pivot() ? product : s.fills ? negate(g_, product) : difference_as_written(g_, to, product);
       }
     solutions_.push(solution);
     return unknowns_[unknowns_.push(x)];
