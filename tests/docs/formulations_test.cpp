@@ -195,17 +195,17 @@ TEST(formulations, have_no_negative_weights) {
   EXPECT_EQ(b.check().cause(), "weighted_by gives an operation a negative weight");
 }
 
-// Elimination has more sums that can be fused with a product.
+// About the mass centers, there are more sums and fewer products.
 TEST(formulations, depend_on_the_weights) {
-  const explain_options plain{.searches = false}, fused{.weights = {.fused = 1}, .searches = false};
+  const explain_options plain{.searches = false}, free_sums{.weights = {.addition = 0}, .searches = false};
   int changed = 0;
   for (int links = 5; links <= 12; ++links) {
     const chain b(links, false);
-    const explanation by_default = explain(b, plain), by_fused = explain(b, fused);
-    if (by_default.best().called != by_fused.best().called) ++changed;
+    const explanation by_default = explain(b, plain), by_products = explain(b, free_sums);
+    if (by_default.best().called != by_products.best().called) ++changed;
     chain with_weights(links, false);
-    with_weights.weighted_by({.fused = 1});
-    EXPECT_LE(explain(with_weights, fused).chosen().weighted, by_fused.chosen().weighted);
+    with_weights.weighted_by({.addition = 0});
+    EXPECT_LE(explain(with_weights, free_sums).chosen().weighted, by_products.chosen().weighted);
   }
   EXPECT_GT(changed, 0);
 }
