@@ -44,9 +44,7 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
 constexpr sequence<expression> gathered(graph& g, const sequence<expression>& all,
                                         const sequence<expression>& others = {}) {
   const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(others);
-  sequence<expression> found;
-  for (int id : symbolic::shorten_sums(g, nodes, kept)) found.push({g, id});
-  return found;
+  return symbolic::expressions_of(g, symbolic::shorten_sums(g, nodes, kept));
 }
 
 } // namespace kanexpr::mechanics

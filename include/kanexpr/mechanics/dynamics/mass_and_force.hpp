@@ -7,7 +7,6 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/graph/sum_shortening.hpp>
-#include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -37,11 +36,12 @@ private:
     return both;
   }
 
-  constexpr void put_back(const sequence<int>& both) {
+  constexpr void put_back(const sequence<int>& nodes) {
+    const sequence<expression> both = symbolic::expressions_of(g_, nodes);
     int k = 0;
-    for (expression& e : force_) e = {g_, both[k++]};
+    for (expression& e : force_) e = both[k++];
     for (int i = 0; i < mass_.rows; ++i)
-      for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = expression(g_, both[k++]);
+      for (int j = 0; j <= i; ++j) mass_(i, j) = mass_(j, i) = both[k++];
   }
 
   graph& g_;

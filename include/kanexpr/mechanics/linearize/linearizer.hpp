@@ -15,6 +15,7 @@
 #include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
 namespace kanexpr::mechanics {
@@ -134,12 +135,6 @@ public:
   }
 
 private:
-  static constexpr bool is_zero(const symbolic::matrix& m) {
-    for (const expression& e : m.entries)
-      if (!e.is_zero()) return false;
-    return true;
-  }
-
   /// Whether the dynamics are those for the independent speeds, with a known symmetric mass matrix.
   constexpr bool is_reduced() const { return form_.lambda.empty() && form_.known.mass.rows != 0; }
 
@@ -232,13 +227,9 @@ private:
   /// these parts in common with them.
   constexpr symbolic::matrix factored_changes() {
     constexpr int most_operations = 3000, most_passes = 1;
-    symbolic::matrix change = changes_of_force();
+    const symbolic::matrix& change = changes_of_force();
     if (!form_.f_a.empty() || !has_no_dependents() || is_zero(change)) return change;
-    const sequence<int> nodes =
-        symbolic::factored(g_, symbolic::nodes_of(change.entries),
-                           symbolic::nodes_of(form_.known.mass.entries), most_operations, most_passes);
-    for (int i = 0; i < nodes.size(); ++i) change.entries[i] = {g_, nodes[i]};
-    return change;
+    return symbolic::factored(g_, change, form_.known.mass, most_operations, most_passes);
   }
 
   /// −(f_2 + f_3). Separates the sums in which rates are combined with other terms, and the changes of the

@@ -19,7 +19,7 @@ public:
     sequence<int> moved, solved; // for each direction, the only speed whose equation it changes; the others
     for (int j = 0; j < out.columns; ++j) {
       moved.push(only_entry(force, j));
-      if (moved[j] == none) solved.push(j);
+      if (moved[j] == several) solved.push(j);
     }
     if (out.rows >= fewest_rows_together && solved.size() >= fewest_columns_together) {
       pivots_.append(mass_.solve_together(force, solved, out));
@@ -35,18 +35,15 @@ public:
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
 private:
-  static constexpr int none = -1;
+  static constexpr int none = -1, several = -2;
   /// In larger systems, columns are solved together; in smaller ones, written-out operations are cheaper.
   static constexpr int fewest_rows_together = 5, fewest_columns_together = 8;
 
-  /// The row of the only nonzero entry of a column, or none.
+  /// The row of the only nonzero entry of a column; none or several.
   static constexpr int only_entry(const symbolic::matrix& all, int column) {
     int found = none;
     for (int i = 0; i < all.rows; ++i)
-      if (!all(i, column).is_zero()) {
-        if (found != none) return none;
-        found = i;
-      }
+      if (!all(i, column).is_zero()) found = found == none ? i : several;
     return found;
   }
 
@@ -64,11 +61,11 @@ private:
                                         symbolic::matrix& out) {
     sequence<int> columns;
     for (int i : moved)
-      if (i != none && !columns.contains(i)) columns.push(i);
+      if (i >= 0 && !columns.contains(i)) columns.push(i);
     const sequence<symbolic::symmetric_solution> inverse = mass_.inverse_columns(columns);
     for (const symbolic::symmetric_solution& column : inverse) pivots_.append(column.pivots);
     for (int j = 0; j < out.columns; ++j) {
-      if (moved[j] == none) continue;
+      if (moved[j] < 0) continue;
       const symbolic::symmetric_solution& column = inverse[columns.find(moved[j])];
       for (int i = 0; i < out.rows; ++i) out(i, j) = force(moved[j], j) * column.x[i];
     }

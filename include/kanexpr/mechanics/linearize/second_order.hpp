@@ -3,11 +3,13 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/minimal.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
+#include <kanexpr/mechanics/linearize/mass_columns.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/factoring.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -43,6 +45,39 @@ public:
   second_order(const second_order&) = delete;
   second_order& operator=(const second_order&) = delete;
 
+private:
+  /// The derivatives of the rates [q̇; u̇] along several directions, a column for each; `set_rates(d, j)` sets
+  /// the rates of symbols along one of them. (Defined before its callers, because clang++ instantiates it
+  /// there.)
+  template <class Set_rates>
+  constexpr symbolic::matrix rates_along(int directions, const Set_rates& set_rates) {
+    const int n = form_.q.size();
+    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
+    symbolic::matrix all(g_, n + form_.u.size(), directions), bias(g_, bound.size(), directions),
+        force(g_, force_.size(), directions);
+    for (int j = 0; j < directions; ++j) {
+      symbolic::differentiation d(g_);
+      set_rates(d, j);
+      symbolic::matrix change(g_, bound.size(), 1);
+      for (int k = 0; k < bound.size(); ++k) change(k, 0) = -d.of(form_.f_a[k]);
+      set_column(bias, j, symbolic::solve_linear(g_, first_.on_dependent(), change).x.entries);
+      for (int i = 0; i < force.rows; ++i) {
+        force(i, j) = d.of(force_[i]);
+        for (int k = 0; k < bound.size(); ++k) force(i, j) -= form_.known.coupling(k, i) * bias(k, j);
+      }
+      for (int i = 0; i < n; ++i) all(i, j) = d.of(form_.known.qdot[i]);
+    }
+    const symbolic::matrix moved = divided_by_mass(force);
+    for (int j = 0; j < directions; ++j) {
+      for (int i = 0; i < free.size(); ++i) all(n + free[i], j) = moved(i, j);
+      const sequence<expression> dependent =
+          solved_for_dependent(form_.known.dependency, column_of(moved, j), column_of(bias, j));
+      for (int k = 0; k < bound.size(); ++k) all(n + bound[k], j) = dependent[k];
+    }
+    return all;
+  }
+
+public:
   constexpr symbolic::matrix get(quantity wanted) {
     if (wanted == quantity::weighted_gradient) return gradient();
     if (wanted == quantity::directional_derivative) return directional_derivative();
@@ -60,9 +95,9 @@ public:
 
   /// (∂ẋ/∂z) v.
   constexpr symbolic::matrix directional_derivative() {
-    symbolic::differentiation d(g_);
-    for (int j = 0; j < z().size(); ++j) d.set_rate(z().symbol(j), direction_[j]);
-    return rates_along(d);
+    return rates_along(1, [&](symbolic::differentiation& d, int) {
+      for (int j = 0; j < z().size(); ++j) d.set_rate(z().symbol(j), direction_[j]);
+    });
   }
 
   /// u̇_z is not formed; instead its cofactor is multiplied by the inverse mass matrix, because fewer
@@ -72,19 +107,19 @@ public:
   constexpr symbolic::matrix hessian() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
-    symbolic::matrix all(g_, size, size), through(g_, size, size);
+    symbolic::matrix all(g_, size, size), unbalanced(g_, form_.u.size(), size);
     for (int j = 0; j < size; ++j) {
       symbolic::differentiation d(g_);
       d.set_rate(z().symbol(j), {g_, graph::one});
       for (int i = j < n ? 0 : j; i < size; ++i)
         if (i <= j || i >= n) all(i, j) = all(j, i) = d.of(slope[i]);
-      sequence<expression> unbalanced;
-      for (int k = 0; k < form_.u.size(); ++k) unbalanced.push(d.of(slope[size + k]));
-      add_through_rates(through, j, unbalanced);
+      for (int k = 0; k < unbalanced.rows; ++k) unbalanced(k, j) = d.of(slope[size + k]);
     }
+    const symbolic::matrix through = through_rates(unbalanced);
     for (int i = 0; i < size; ++i)
       for (int j = i; j < size; ++j) all(i, j) = all(j, i) = all(i, j) + (through(i, j) + through(j, i));
-    return factored(with_adjoint(all));
+    constexpr int most_operations = 10'000, most_passes = 4;
+    return symbolic::factored(g_, with_adjoint(all), form_.known.mass, most_operations, most_passes);
   }
 
   /// ∂²(λᵀẋ)/∂z² v: the derivative of the gradient along v, with the corresponding changes of u̇ and μ.
@@ -108,34 +143,9 @@ public:
 
   /// ∂ẋ/∂p, a column for each symbol.
   constexpr symbolic::matrix rates_by(const sequence<expression>& symbols) {
-    symbolic::matrix all(g_, form_.q.size() + form_.u.size(), symbols.size());
-    for (int j = 0; j < symbols.size(); ++j) {
-      symbolic::differentiation d(g_);
+    return rates_along(symbols.size(), [&](symbolic::differentiation& d, int j) {
       d.set_rate(symbols[j], {g_, graph::one});
-      const symbolic::matrix column = rates_along(d);
-      for (int i = 0; i < all.rows; ++i) all(i, j) = column(i, 0);
-    }
-    return all;
-  }
-
-  /// The derivatives of the rates [q̇; u̇] with respect to the symbols that have a rate in `d`.
-  constexpr symbolic::matrix rates_along(symbolic::differentiation& d) {
-    const int n = form_.q.size();
-    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
-    symbolic::matrix change(g_, bound.size(), 1), all(g_, n + form_.u.size(), 1);
-    for (int i = 0; i < bound.size(); ++i) change(i, 0) = -d.of(form_.f_a[i]);
-    const symbolic::matrix bias = symbolic::solve_linear(g_, first_.on_dependent(), change).x;
-    sequence<expression> right;
-    for (int i = 0; i < force_.size(); ++i) {
-      right.push(d.of(force_[i]));
-      for (int k = 0; k < bound.size(); ++k) right[i] -= form_.known.coupling(k, i) * bias(k, 0);
-    }
-    const sequence<expression> moved = solved(right);
-    for (int i = 0; i < n; ++i) all(i, 0) = d.of(form_.known.qdot[i]);
-    for (int i = 0; i < free.size(); ++i) all(n + free[i], 0) = moved[i];
-    const sequence<expression> dependent = solved_for_dependent(form_.known.dependency, moved, bias.entries);
-    for (int k = 0; k < bound.size(); ++k) all(n + bound[k], 0) = dependent[k];
-    return all;
+    });
   }
 
 private:
@@ -175,19 +185,23 @@ private:
     return adjoint;
   }
 
-  /// A row of ψ_zu̇ u̇_z from one of ψ_zu̇. The rates follow from M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
-  constexpr void add_through_rates(symbolic::matrix& through, int row, const sequence<expression>& of) {
-    bool is_zero = true;
-    for (const expression& e : of) is_zero = is_zero && e.is_zero();
-    if (is_zero) return;
+  /// ψ_zu̇ u̇_z from (ψ_zu̇)ᵀ. The rates follow from M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
+  constexpr symbolic::matrix through_rates(const symbolic::matrix& of) {
+    symbolic::matrix through(g_, of.columns, of.columns);
+    if (is_zero(of)) return through;
     const symbolic::matrix &force = first_.changes_of_force_by_forward(), &direct = first_.direct_changes(),
                            &bias = first_.changes_of_bias();
-    const sequence<expression> taken = solved(reduced(of));
-    for (int j = 0; j < through.columns; ++j) {
-      for (int i = 0; i < force.rows; ++i) through(row, j) += taken[i] * force(i, j);
-      for (int i = 0; i < direct.rows; ++i) through(row, j) += of[i] * direct(i, j);
-      for (int k = 0; k < bias.rows; ++k) through(row, j) += of[form_.speeds.dependent[k]] * bias(k, j);
-    }
+    symbolic::matrix by_independent(g_, force.rows, of.columns);
+    for (int j = 0; j < of.columns; ++j) set_column(by_independent, j, reduced(column_of(of, j)));
+    const symbolic::matrix taken = divided_by_mass(by_independent);
+    for (int row = 0; row < through.rows; ++row)
+      for (int j = 0; j < through.columns; ++j) {
+        expression& sum = through(row, j);
+        for (int i = 0; i < force.rows; ++i) sum += taken(i, row) * force(i, j);
+        for (int i = 0; i < direct.rows; ++i) sum += of(i, row) * direct(i, j);
+        for (int k = 0; k < bias.rows; ++k) sum += of(form_.speeds.dependent[k], row) * bias(k, j);
+      }
+    return through;
   }
 
   /// Multiplies a vector for all speeds by Tᵀ, which yields one for the independent speeds.
@@ -205,13 +219,12 @@ private:
     return m;
   }
 
-  /// Takes common parts out of the entries.
-  constexpr symbolic::matrix factored(symbolic::matrix m) const {
-    constexpr int most_operations = 10'000;
-    const sequence<int> nodes = symbolic::factored(
-        g_, symbolic::nodes_of(m.entries), symbolic::nodes_of(form_.known.mass.entries), most_operations);
-    for (int i = 0; i < nodes.size(); ++i) m.entries[i] = {g_, nodes[i]};
-    return m;
+  /// M⁻¹ times the columns of a matrix.
+  constexpr symbolic::matrix divided_by_mass(const symbolic::matrix& right) {
+    mass_columns mass(g_, form_.known.mass);
+    const symbolic::matrix found = mass.solve(right);
+    first_.add_pivots(mass.pivots());
+    return found;
   }
 
   constexpr sequence<expression> solved(const sequence<expression>& right) {

@@ -56,14 +56,22 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   return true;
 }
 
+/// The frames along whose axes points move relative to their own frames.
+constexpr sequence<int> axes_of_moving_points(const skeleton& s) {
+  sequence<int> found;
+  for (const station& n : s.stations)
+    for (const vector::part& p : n.relative_velocity.parts)
+      if (const int f = s.rigid_with[p.frame]; !found.contains(f)) found.push(f);
+  return found;
+}
+
 /// Whether all rotations of the mechanism are about the same axis of the ground and all offsets are given in
 /// the ground's axes, and whether no body is flexible.
 constexpr bool planar(const skeleton& s) {
   if (!s.model->flexible_bodies.empty()) return false;
   int axis = none;
-  for (const station& n : s.stations)
-    for (const vector::part& p : n.relative_velocity.parts)
-      if (s.rigid_with[p.frame] != mechanism::inertial) return false;
+  for (int f : axes_of_moving_points(s))
+    if (f != mechanism::inertial) return false;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     const frame& own = s.model->frames[f];
     if (own.kind == orientation::about_basis) {
@@ -80,8 +88,7 @@ constexpr bool planar(const skeleton& s) {
 /// several, or if points move relative to frames, which they do along axes of the ground.
 constexpr int first_rotating_frame(const skeleton& s) {
   int first = none;
-  for (const station& n : s.stations)
-    if (!n.relative_velocity.parts.empty()) return mechanism::inertial;
+  if (!axes_of_moving_points(s).empty()) return mechanism::inertial;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     if (s.rigid_with[f] != f || s.turns_in[f] != mechanism::inertial) continue;
     if (first != none) return mechanism::inertial;
@@ -97,21 +104,13 @@ constexpr bool carries_no_frame(const skeleton& s, int f) {
   return true;
 }
 
-/// Whether points move along axes of frame `f`.
-constexpr bool carries_moving_point(const skeleton& s, int f) {
-  for (const station& n : s.stations)
-    for (const vector::part& p : n.relative_velocity.parts)
-      if (s.rigid_with[p.frame] == f) return true;
-  return false;
-}
-
 /// Whether the equations of frame `f` are written in the axes of the frame below: its inertia is needed there
 /// in any case, and nothing farther out would have to be turned twice.
 constexpr bool is_last_of_spatial_chain(const skeleton& s, int f) {
   const int below = s.turns_in[f];
   return s.joint_axis(f) != none && below != mechanism::inertial && s.body_axes[f] == f &&
-         s.working_axes[below] == below && !carries_flexible_body(s, f) && !carries_moving_point(s, f) &&
-         carries_no_frame(s, f);
+         s.working_axes[below] == below && !carries_flexible_body(s, f) &&
+         !axes_of_moving_points(s).contains(f) && carries_no_frame(s, f);
 }
 
 /// Whether `f` and its parent frame rotate about the same axis.

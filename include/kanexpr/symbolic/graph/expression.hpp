@@ -147,4 +147,15 @@ constexpr expression call(const external_function& f, const sequence<expression>
 constexpr expression constant(graph& g, const number& value) { return {g, g.constant(value)}; }
 constexpr expression variable(graph& g, const symbol& s) { return {g, g.variable(s)}; }
 
+constexpr sequence<int> nodes_of(const sequence<expression>& all) {
+  sequence<int> nodes;
+  for (const expression& e : all) nodes.push(e.node());
+  return nodes;
+}
+constexpr sequence<expression> expressions_of(graph& g, const sequence<int>& nodes) {
+  sequence<expression> all;
+  for (int id : nodes) all.push({g, id});
+  return all;
+}
+
 } // namespace kanexpr::symbolic

@@ -2,7 +2,9 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/zeros.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/graph/sums_of_products.hpp>
 
 namespace kanexpr::symbolic {
@@ -324,6 +326,14 @@ constexpr sequence<int> factored(graph& g, const sequence<int>& outputs, const s
     if (sums.saved() * least_part < sums.operations()) break;
   }
   return now;
+}
+
+/// The same for the entries of a matrix, where those of another one are needed in any case.
+constexpr matrix factored(graph& g, matrix m, const matrix& also_needed, int most_operations,
+                          int most_passes) {
+  const sequence<int> outputs = nodes_of(m.entries), needed = nodes_of(also_needed.entries);
+  m.entries = expressions_of(g, factored(g, outputs, needed, most_operations, most_passes));
+  return m;
 }
 
 } // namespace kanexpr::symbolic

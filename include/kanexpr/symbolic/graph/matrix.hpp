@@ -24,4 +24,19 @@ struct matrix {
   constexpr const expression& operator()(int i, int j) const { return entries[i * columns + j]; }
 };
 
+constexpr bool is_zero(const matrix& m) {
+  for (const expression& e : m.entries)
+    if (!e.is_zero()) return false;
+  return true;
+}
+
+constexpr sequence<expression> column_of(const matrix& m, int column) {
+  sequence<expression> entries;
+  for (int i = 0; i < m.rows; ++i) entries.push(m(i, column));
+  return entries;
+}
+constexpr void set_column(matrix& m, int column, const sequence<expression>& entries) {
+  for (int i = 0; i < m.rows; ++i) m(i, column) = entries[i];
+}
+
 } // namespace kanexpr::symbolic

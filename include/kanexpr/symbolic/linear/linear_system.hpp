@@ -10,12 +10,6 @@
 /// systems and all derivatives.
 namespace kanexpr::symbolic {
 
-constexpr sequence<int> nodes_of(const sequence<expression>& all) {
-  sequence<int> nodes;
-  for (const expression& e : all) nodes.push(e.node());
-  return nodes;
-}
-
 /// A factorized square matrix; not a value, only an operand of `solve` and `singularity_measure`.
 constexpr expression factorization(graph& g, const matrix& a) {
   return {g, factorization(g, nodes_of(a.entries), a.rows)};
