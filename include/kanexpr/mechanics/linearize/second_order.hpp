@@ -45,39 +45,6 @@ public:
   second_order(const second_order&) = delete;
   second_order& operator=(const second_order&) = delete;
 
-private:
-  /// The derivatives of the rates [q̇; u̇] along several directions, a column for each; `set_rates(d, j)` sets
-  /// the rates of symbols along one of them. (Defined before its callers, because clang++ instantiates it
-  /// there.)
-  template <class Set_rates>
-  constexpr symbolic::matrix rates_along(int directions, const Set_rates& set_rates) {
-    const int n = form_.q.size();
-    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
-    symbolic::matrix all(g_, n + form_.u.size(), directions), bias(g_, bound.size(), directions),
-        force(g_, force_.size(), directions);
-    for (int j = 0; j < directions; ++j) {
-      symbolic::differentiation d(g_);
-      set_rates(d, j);
-      symbolic::matrix change(g_, bound.size(), 1);
-      for (int k = 0; k < bound.size(); ++k) change(k, 0) = -d.of(form_.f_a[k]);
-      set_column(bias, j, symbolic::solve_linear(g_, first_.on_dependent(), change).x.entries);
-      for (int i = 0; i < force.rows; ++i) {
-        force(i, j) = d.of(force_[i]);
-        for (int k = 0; k < bound.size(); ++k) force(i, j) -= form_.known.coupling(k, i) * bias(k, j);
-      }
-      for (int i = 0; i < n; ++i) all(i, j) = d.of(form_.known.qdot[i]);
-    }
-    const symbolic::matrix moved = divided_by_mass(force);
-    for (int j = 0; j < directions; ++j) {
-      for (int i = 0; i < free.size(); ++i) all(n + free[i], j) = moved(i, j);
-      const sequence<expression> dependent =
-          solved_for_dependent(form_.known.dependency, column_of(moved, j), column_of(bias, j));
-      for (int k = 0; k < bound.size(); ++k) all(n + bound[k], j) = dependent[k];
-    }
-    return all;
-  }
-
-public:
   constexpr symbolic::matrix get(quantity wanted) {
     if (wanted == quantity::weighted_gradient) return gradient();
     if (wanted == quantity::directional_derivative) return directional_derivative();
@@ -95,9 +62,9 @@ public:
 
   /// (∂ẋ/∂z) v.
   constexpr symbolic::matrix directional_derivative() {
-    return rates_along(1, [&](symbolic::differentiation& d, int) {
-      for (int j = 0; j < z().size(); ++j) d.set_rate(z().symbol(j), direction_[j]);
-    });
+    symbolic::differentiation d(g_);
+    for (int j = 0; j < z().size(); ++j) d.set_rate(z().symbol(j), direction_[j]);
+    return rates_along(d);
   }
 
   /// u̇_z is not formed; instead its cofactor is multiplied by the inverse mass matrix, because fewer
@@ -141,11 +108,36 @@ public:
     return with_adjoint(column);
   }
 
-  /// ∂ẋ/∂p, a column for each symbol.
+  /// ∂ẋ/∂p, a column for each symbol. Each column is solved for on its own, because those of mass, mass
+  /// center and inertia of a body share most operations.
   constexpr symbolic::matrix rates_by(const sequence<expression>& symbols) {
-    return rates_along(symbols.size(), [&](symbolic::differentiation& d, int j) {
+    symbolic::matrix all(g_, form_.q.size() + form_.u.size(), symbols.size());
+    for (int j = 0; j < symbols.size(); ++j) {
+      symbolic::differentiation d(g_);
       d.set_rate(symbols[j], {g_, graph::one});
-    });
+      set_column(all, j, rates_along(d).entries);
+    }
+    return all;
+  }
+
+  /// The derivatives of the rates [q̇; u̇] with respect to the symbols that have a rate in `d`.
+  constexpr symbolic::matrix rates_along(symbolic::differentiation& d) {
+    const int n = form_.q.size();
+    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
+    symbolic::matrix change(g_, bound.size(), 1), all(g_, n + form_.u.size(), 1);
+    for (int i = 0; i < bound.size(); ++i) change(i, 0) = -d.of(form_.f_a[i]);
+    const symbolic::matrix bias = symbolic::solve_linear(g_, first_.on_dependent(), change).x;
+    sequence<expression> right;
+    for (int i = 0; i < force_.size(); ++i) {
+      right.push(d.of(force_[i]));
+      for (int k = 0; k < bound.size(); ++k) right[i] -= form_.known.coupling(k, i) * bias(k, 0);
+    }
+    const sequence<expression> moved = solved(right);
+    for (int i = 0; i < n; ++i) all(i, 0) = d.of(form_.known.qdot[i]);
+    for (int i = 0; i < free.size(); ++i) all(n + free[i], 0) = moved[i];
+    const sequence<expression> dependent = solved_for_dependent(form_.known.dependency, moved, bias.entries);
+    for (int k = 0; k < bound.size(); ++k) all(n + bound[k], 0) = dependent[k];
+    return all;
   }
 
 private:
