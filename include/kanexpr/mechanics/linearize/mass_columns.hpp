@@ -22,6 +22,7 @@ public:
       if (moved[j] == several) solved.push(j);
     }
     if (out.rows >= fewest_rows_together && solved.size() >= fewest_columns_together) {
+      join_inverse(force, moved, solved);
       pivots_.append(mass_.solve_together(force, solved, out));
     } else {
       mass_.prepare_for(force);
@@ -37,7 +38,7 @@ public:
 private:
   static constexpr int none = -1, several = -2;
   /// In larger systems, columns are solved together; in smaller ones, written-out operations are cheaper.
-  static constexpr int fewest_rows_together = 5, fewest_columns_together = 8;
+  static constexpr int fewest_rows_together = 5, fewest_columns_together = 8, most_steps_for_one = 3;
 
   /// The row of the only nonzero entry of a column; none or several.
   static constexpr int only_entry(const symbolic::matrix& all, int column) {
@@ -45,6 +46,21 @@ private:
     for (int i = 0; i < all.rows; ++i)
       if (!all(i, column).is_zero()) found = found == none ? i : several;
     return found;
+  }
+
+  /// Solves for columns of the inverse together with the others unless this takes many more steps. On their
+  /// own, half of them follow by symmetry, and in branched systems more of their entries are shared.
+  constexpr void join_inverse(const symbolic::matrix& force, sequence<int>& moved,
+                              sequence<int>& solved) const {
+    sequence<int> columns, all;
+    for (int j = 0; j < moved.size(); ++j) {
+      if (moved[j] >= 0 && !columns.contains(moved[j])) columns.push(moved[j]);
+      if (moved[j] != none) all.push(j);
+    }
+    const int added = mass_.steps_together(force, all) - mass_.steps_together(force, solved);
+    if (added > most_steps_for_one * mass_.steps_of_inverse(columns)) return;
+    solved = all;
+    for (int& row : moved) row = none;
   }
 
   constexpr void solve_column(const symbolic::matrix& force, int column, symbolic::matrix& out) {

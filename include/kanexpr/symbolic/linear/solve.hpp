@@ -178,6 +178,28 @@ public:
     return pivots;
   }
 
+  /// The steps, multiplications followed by subtractions, that several columns take if they are solved
+  /// together, and that columns of the inverse take on their own.
+  constexpr int steps_together(const matrix& right, const sequence<int>& columns) const {
+    int steps = 0;
+    for (const column_group& group : column_groups(n_, order_, factors_).of(right, columns))
+      steps += group.steps * group.columns.size();
+    return steps;
+  }
+  constexpr int steps_of_inverse(const sequence<int>& columns) const {
+    int steps = 0;
+    for (int column : columns) {
+      sequence<char> filled(n_, 0);
+      filled[column] = 1;
+      for (int step = positions_[column]; step < n_; ++step)
+        if (filled[order_[step]] != 0) steps += fill_from(order_[step], filled);
+      for (int step = n_ - 1; step >= 0; --step)
+        if (step >= positions_[column] || !columns.contains(order_[step]))
+          steps += 1 + factors_in_row(order_[step]);
+    }
+    return steps;
+  }
+
 private:
   static constexpr int none = -1;
 
@@ -212,6 +234,19 @@ private:
         const int place = index++;
         if (filled[step] != 0) x(order_[step], j) = {g_, component(g_, node, place)};
       }
+  }
+
+  constexpr int factors_in_row(int p) const {
+    int count = 0;
+    for (int i = 0; i < n_; ++i)
+      if (factors_[p * n_ + i] != graph::zero) ++count;
+    return count;
+  }
+  /// Marks the rows that become nonzero with row `p`, and returns their number.
+  constexpr int fill_from(int p, sequence<char>& filled) const {
+    for (int i = 0; i < n_; ++i)
+      if (factors_[p * n_ + i] != graph::zero) filled[i] = 1;
+    return factors_in_row(p);
   }
 
   constexpr void eliminate(int p) {
