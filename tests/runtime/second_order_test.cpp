@@ -6,7 +6,6 @@
 #include <models/double_pendulum.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
-#include <models/n_pendulum_cart.hpp>
 #include <models/pivot_body.hpp>
 #include <models/rocket.hpp>
 #include <models/rolling_disc_constrained.hpp>
@@ -76,34 +75,6 @@ TEST(second_order, sensitivity) {
         complex(0, step);
     const VectorXd expected = rhs(0, x, there, r).imag() / step;
     EXPECT_LE((by_parameters.col(column) - expected).norm(), 1e-12 * expected.norm());
-  }
-}
-
-// More columns, which are solved together, except that of the cart's mass, which changes only one equation.
-TEST(second_order, sensitivity_to_many_parameters) {
-  using namespace n_pendulum_cart;
-  using system = System<5>;
-  constexpr auto compiled =
-      kanexpr::sensitivity<system, m<0>, m<1>, m<3>, m<5>, l<0>, l<1>, l<2>, l<3>, l<4>, n_pendulum_cart::g>;
-  static_assert(kanexpr::lower::solves_columns<decltype(compiled)::code>);
-  auto derived = kanexpr::derive<system>();
-  auto found = derived.function(
-      derived.sensitivity<m<0>, m<1>, m<3>, m<5>, l<0>, l<1>, l<2>, l<3>, l<4>, n_pendulum_cart::g>());
-  auto rhs = derived.function<complex>(derived.rhs());
-  ASSERT_EQ(derived.mistake(), "");
-  std::mt19937_64 source(7);
-  const auto x = agreement::random<kanexpr::state<system>>(source, -3, 3);
-  const auto p = agreement::random<kanexpr::parameter_values<system>>(source, 0.5, 2);
-  const auto r = agreement::random<kanexpr::input_values<system>>(source, -3, 3);
-  const MatrixXd by_parameters = found(0, x, p, r);
-  agreement::expect_same_bits(compiled(x, p, r), by_parameters);
-  Index column = 0;
-  for (const char* name : {"m0", "m1", "m3", "m5", "l0", "l1", "l2", "l3", "l4", "g"}) {
-    VectorXcd there = p;
-    there(derived.known()->place(kanexpr::symbolic::symbol_kind::parameter, kanexpr::base::name(name))) +=
-        complex(0, step);
-    const VectorXd expected = rhs(0, x, there, r).imag() / step;
-    EXPECT_LE((by_parameters.col(column++) - expected).norm(), 1e-12 * expected.norm()) << name;
   }
 }
 

@@ -3,7 +3,6 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/minimal.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
-#include <kanexpr/mechanics/linearize/mass_columns.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -70,19 +69,21 @@ public:
   /// u̇_z is not formed; instead its cofactor is multiplied by the inverse mass matrix, because fewer
   /// directions of z change the cofactor. Of two equal entries, the cheaper one is formed: along a coordinate
   /// rather than a speed, along the last of two coordinates, which moves the fewest bodies, and along the
-  /// first of two speeds.
+  /// first of two speeds. The inverse is multiplied by each cofactor on its own: to solve for all of them
+  /// together saves at most 3 % of the time, and compilers need more memory.
   constexpr symbolic::matrix hessian() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
-    symbolic::matrix all(g_, size, size), unbalanced(g_, form_.u.size(), size);
+    symbolic::matrix all(g_, size, size), through(g_, size, size);
     for (int j = 0; j < size; ++j) {
       symbolic::differentiation d(g_);
       d.set_rate(z().symbol(j), {g_, graph::one});
       for (int i = j < n ? 0 : j; i < size; ++i)
         if (i <= j || i >= n) all(i, j) = all(j, i) = d.of(slope[i]);
-      for (int k = 0; k < unbalanced.rows; ++k) unbalanced(k, j) = d.of(slope[size + k]);
+      sequence<expression> unbalanced;
+      for (int k = 0; k < form_.u.size(); ++k) unbalanced.push(d.of(slope[size + k]));
+      add_through_rates(through, j, unbalanced);
     }
-    const symbolic::matrix through = through_rates(unbalanced);
     for (int i = 0; i < size; ++i)
       for (int j = i; j < size; ++j) all(i, j) = all(j, i) = all(i, j) + (through(i, j) + through(j, i));
     constexpr int most_operations = 10'000, most_passes = 4;
@@ -108,14 +109,15 @@ public:
     return with_adjoint(column);
   }
 
-  /// ∂ẋ/∂p, a column for each symbol. Each column is solved for on its own, because those of mass, mass
-  /// center and inertia of a body share most operations.
+  /// ∂ẋ/∂p, a column for each symbol. They are solved for on their own, because the columns of mass, mass
+  /// center and inertia of a body share many operations.
   constexpr symbolic::matrix rates_by(const sequence<expression>& symbols) {
     symbolic::matrix all(g_, form_.q.size() + form_.u.size(), symbols.size());
     for (int j = 0; j < symbols.size(); ++j) {
       symbolic::differentiation d(g_);
       d.set_rate(symbols[j], {g_, graph::one});
-      set_column(all, j, rates_along(d).entries);
+      const symbolic::matrix column = rates_along(d);
+      for (int i = 0; i < all.rows; ++i) all(i, j) = column(i, 0);
     }
     return all;
   }
@@ -177,23 +179,19 @@ private:
     return adjoint;
   }
 
-  /// ψ_zu̇ u̇_z from (ψ_zu̇)ᵀ. The rates follow from M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
-  constexpr symbolic::matrix through_rates(const symbolic::matrix& of) {
-    symbolic::matrix through(g_, of.columns, of.columns);
-    if (is_zero(of)) return through;
+  /// A row of ψ_zu̇ u̇_z from one of ψ_zu̇. The rates follow from M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
+  constexpr void add_through_rates(symbolic::matrix& through, int row, const sequence<expression>& of) {
+    bool is_zero = true;
+    for (const expression& e : of) is_zero = is_zero && e.is_zero();
+    if (is_zero) return;
     const symbolic::matrix &force = first_.changes_of_force_by_forward(), &direct = first_.direct_changes(),
                            &bias = first_.changes_of_bias();
-    symbolic::matrix by_independent(g_, force.rows, of.columns);
-    for (int j = 0; j < of.columns; ++j) set_column(by_independent, j, reduced(column_of(of, j)));
-    const symbolic::matrix taken = divided_by_mass(by_independent);
-    for (int row = 0; row < through.rows; ++row)
-      for (int j = 0; j < through.columns; ++j) {
-        expression& sum = through(row, j);
-        for (int i = 0; i < force.rows; ++i) sum += taken(i, row) * force(i, j);
-        for (int i = 0; i < direct.rows; ++i) sum += of(i, row) * direct(i, j);
-        for (int k = 0; k < bias.rows; ++k) sum += of(form_.speeds.dependent[k], row) * bias(k, j);
-      }
-    return through;
+    const sequence<expression> taken = solved(reduced(of));
+    for (int j = 0; j < through.columns; ++j) {
+      for (int i = 0; i < force.rows; ++i) through(row, j) += taken[i] * force(i, j);
+      for (int i = 0; i < direct.rows; ++i) through(row, j) += of[i] * direct(i, j);
+      for (int k = 0; k < bias.rows; ++k) through(row, j) += of[form_.speeds.dependent[k]] * bias(k, j);
+    }
   }
 
   /// Multiplies a vector for all speeds by Tᵀ, which yields one for the independent speeds.
@@ -209,14 +207,6 @@ private:
     for (int i = 0; i < held_.size(); ++i) known.replace(held_[i], adjoint[i]);
     for (expression& e : m.entries) e = known.in(e);
     return m;
-  }
-
-  /// M⁻¹ times the columns of a matrix.
-  constexpr symbolic::matrix divided_by_mass(const symbolic::matrix& right) {
-    mass_columns mass(g_, form_.known.mass);
-    const symbolic::matrix found = mass.solve(right);
-    first_.add_pivots(mass.pivots());
-    return found;
   }
 
   constexpr sequence<expression> solved(const sequence<expression>& right) {

@@ -30,13 +30,4 @@ constexpr bool is_zero(const matrix& m) {
   return true;
 }
 
-constexpr sequence<expression> column_of(const matrix& m, int column) {
-  sequence<expression> entries;
-  for (int i = 0; i < m.rows; ++i) entries.push(m(i, column));
-  return entries;
-}
-constexpr void set_column(matrix& m, int column, const sequence<expression>& entries) {
-  for (int i = 0; i < m.rows; ++i) m(i, column) = entries[i];
-}
-
 } // namespace kanexpr::symbolic
