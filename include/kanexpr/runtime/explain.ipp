@@ -11,6 +11,7 @@
 #include <kanexpr/mechanics/model/formulation.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/runtime/explain.hpp>
 #include <kanexpr/runtime/formulation_search.hpp>
