@@ -5,6 +5,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/linear/column_groups.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
 namespace kanexpr::mechanics {
@@ -22,8 +23,7 @@ public:
       if (moved[j] == several) solved.push(j);
     }
     if (out.rows >= fewest_rows_together && solved.size() >= fewest_columns_together) {
-      join_inverse(force, moved, solved);
-      pivots_.append(mass_.solve_together(force, solved, out));
+      pivots_.append(mass_.solve_together(force, groups_with_inverse(force, solved, moved), out));
     } else {
       mass_.prepare_for(force);
       for (int j : solved) solve_column(force, j, out);
@@ -48,19 +48,23 @@ private:
     return found;
   }
 
-  /// Solves for columns of the inverse together with the others unless this takes many more steps. On their
-  /// own, half of them follow by symmetry, and in branched systems more of their entries are shared.
-  constexpr void join_inverse(const symbolic::matrix& force, sequence<int>& moved,
-                              sequence<int>& solved) const {
-    sequence<int> columns, all;
+  /// Groups columns, and adds those of the inverse unless this takes many more steps. On their own, half of
+  /// their entries follow by symmetry, and in branched systems they share more of them.
+  constexpr sequence<symbolic::column_group> groups_with_inverse(const symbolic::matrix& force,
+                                                                 const sequence<int>& solved,
+                                                                 sequence<int>& moved) const {
+    sequence<int> of_inverse, all;
     for (int j = 0; j < moved.size(); ++j) {
-      if (moved[j] >= 0 && !columns.contains(moved[j])) columns.push(moved[j]);
+      if (moved[j] >= 0 && !of_inverse.contains(moved[j])) of_inverse.push(moved[j]);
       if (moved[j] != none) all.push(j);
     }
-    const int added = mass_.steps_together(force, all) - mass_.steps_together(force, solved);
-    if (added > most_steps_for_one * mass_.steps_of_inverse(columns)) return;
-    solved = all;
+    const sequence<symbolic::column_group> apart = mass_.grouped(force, solved);
+    if (of_inverse.empty()) return apart;
+    const sequence<symbolic::column_group> together = mass_.grouped(force, all);
+    const int added = steps_of(together) - steps_of(apart);
+    if (added > most_steps_for_one * mass_.steps_of_inverse(of_inverse)) return apart;
     for (int& row : moved) row = none;
+    return together;
   }
 
   constexpr void solve_column(const symbolic::matrix& force, int column, symbolic::matrix& out) {

@@ -167,25 +167,22 @@ public:
     return solved;
   }
 
-  /// Solves for several columns of `right` into the same columns of `x`, as one node for all columns whose
-  /// right-hand sides become nonzero in about the same rows, and returns the pivots.
-  constexpr sequence<pivot> solve_together(const matrix& right, const sequence<int>& columns,
+  /// Groups columns of `right` whose entries become nonzero in about the same rows.
+  constexpr sequence<column_group> grouped(const matrix& right, const sequence<int>& columns) const {
+    return column_groups(n_, order_, factors_).of(right, columns);
+  }
+
+  /// Solves for groups of columns of `right` into the same columns of `x`, with one node for each group, and
+  /// returns the pivots.
+  constexpr sequence<pivot> solve_together(const matrix& right, const sequence<column_group>& groups,
                                            matrix& x) const {
     sequence<pivot> pivots = pivots_;
     const int factors = list_of_factors(pivots);
-    for (const column_group& group : column_groups(n_, order_, factors_).of(right, columns))
-      solve_group(right, group.columns, factors, x);
+    for (const column_group& group : groups) solve_group(right, group.columns, factors, x);
     return pivots;
   }
 
-  /// The steps, multiplications followed by subtractions, that several columns take if they are solved
-  /// together, and that columns of the inverse take on their own.
-  constexpr int steps_together(const matrix& right, const sequence<int>& columns) const {
-    int steps = 0;
-    for (const column_group& group : column_groups(n_, order_, factors_).of(right, columns))
-      steps += group.steps * group.columns.size();
-    return steps;
-  }
+  /// The steps, multiplications followed by subtractions, for columns of the inverse on their own.
   constexpr int steps_of_inverse(const sequence<int>& columns) const {
     int steps = 0;
     for (int column : columns) {
