@@ -55,16 +55,12 @@ int linearization() {
 
 // Derivatives with respect to the angle of the iiwa's last joint are formed forward, those with respect to
 // the others in reverse; all derivatives of the pendulum and of the quadruped are formed forward. Columns
-// that are solved together take more operations than each for itself, and less time; those of the inverse are
-// among them, which therefore do not divide, except in the quadruped, where they would take a third more.
+// that are solved together take up to 5 % more operations than each for itself, and less time.
 TEST(cost, of_linearizations) {
-  EXPECT_LE(linearization<iiwa::System>(), 4345);
-  EXPECT_LE(linearization<puma::System>(), 4005);
-  EXPECT_LE(linearization<pendulum6::System>(), 1470);
-  EXPECT_LE(linearization<quadruped::System>(), 17750);
-  const auto both = {quantity::state_matrix, quantity::input_matrix};
-  EXPECT_EQ(kanexpr::derivation::cost_of<iiwa::System>(both).divisions, 6);
-  EXPECT_EQ(kanexpr::derivation::cost_of<quadruped::System>(both).divisions, 31);
+  EXPECT_LE(linearization<iiwa::System>(), 4190);
+  EXPECT_LE(linearization<puma::System>(), 4150);
+  EXPECT_LE(linearization<pendulum6::System>(), 1550);
+  EXPECT_LE(linearization<quadruped::System>(), 17840);
 }
 
 TEST(cost, of_second_order) {

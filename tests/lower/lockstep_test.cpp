@@ -38,8 +38,7 @@ public:
     for (int k = 0; k < branches_; ++k) add_branch(k);
     base::sequence<int> all;
     for (int c = 0; c < columns; ++c) all.push(c);
-    const symbolic::symmetric_factorization factors(g_, m_);
-    factors.solve_together(right_, factors.grouped(right_, all), x_);
+    symbolic::symmetric_factorization(g_, m_).solve_together(right_, all, x_);
     base::sequence<expression> results;
     for (const expression& e : x_.entries) results.push(e);
     for (const expression& e : kept_) results.push(e);

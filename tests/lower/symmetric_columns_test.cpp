@@ -50,7 +50,7 @@ constexpr lower::tape solutions(int columns, unsigned seed, way by) {
                          symbolic::matrix& into) {
     const symbolic::symmetric_factorization factors(g, m);
     if (by != way::apart) {
-      factors.solve_together(b, factors.grouped(b, which), into);
+      factors.solve_together(b, which, into);
       return;
     }
     for (int j : which) {
@@ -168,8 +168,7 @@ TEST(SymmetricColumns, may_be_constant) {
   m(0, 1) = m(1, 0) = {g, symbolic::graph::one};
   for (int j = 0; j < 2; ++j) right(j, j) = {g, g.constant(symbolic::exactly(3))};
   right(0, 2) = variable(g, {symbolic::symbol_kind::parameter, base::name("s"), 0});
-  const symbolic::symmetric_factorization factors(g, m);
-  factors.solve_together(right, factors.grouped(right, {0, 1, 2}), x);
+  symbolic::symmetric_factorization(g, m).solve_together(right, {0, 1, 2}, x);
   const lower::tape code = lower::tape_of(g, symbolic::nodes_of(x.entries));
   runtime::interpreter<double> interpreted(code);
   double found[6];

@@ -5,7 +5,6 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
-#include <kanexpr/symbolic/linear/column_groups.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
 namespace kanexpr::mechanics {
@@ -20,10 +19,10 @@ public:
     sequence<int> moved, solved; // for each direction, the only speed whose equation it changes; the others
     for (int j = 0; j < out.columns; ++j) {
       moved.push(only_entry(force, j));
-      if (moved[j] == several) solved.push(j);
+      if (moved[j] == none) solved.push(j);
     }
     if (out.rows >= fewest_rows_together && solved.size() >= fewest_columns_together) {
-      pivots_.append(mass_.solve_together(force, groups_with_inverse(force, solved, moved), out));
+      pivots_.append(mass_.solve_together(force, solved, out));
     } else {
       mass_.prepare_for(force);
       for (int j : solved) solve_column(force, j, out);
@@ -36,35 +35,19 @@ public:
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
 private:
-  static constexpr int none = -1, several = -2;
+  static constexpr int none = -1;
   /// In larger systems, columns are solved together; in smaller ones, written-out operations are cheaper.
-  static constexpr int fewest_rows_together = 5, fewest_columns_together = 8, most_steps_for_one = 3;
+  static constexpr int fewest_rows_together = 5, fewest_columns_together = 8;
 
-  /// The row of the only nonzero entry of a column; none or several.
+  /// The row of the only nonzero entry of a column, or none.
   static constexpr int only_entry(const symbolic::matrix& all, int column) {
     int found = none;
     for (int i = 0; i < all.rows; ++i)
-      if (!all(i, column).is_zero()) found = found == none ? i : several;
+      if (!all(i, column).is_zero()) {
+        if (found != none) return none;
+        found = i;
+      }
     return found;
-  }
-
-  /// Groups columns, and adds those of the inverse unless this takes many more steps. On their own, half of
-  /// their entries follow by symmetry, and in branched systems they share more of them.
-  constexpr sequence<symbolic::column_group> groups_with_inverse(const symbolic::matrix& force,
-                                                                 const sequence<int>& solved,
-                                                                 sequence<int>& moved) const {
-    sequence<int> of_inverse, all;
-    for (int j = 0; j < moved.size(); ++j) {
-      if (moved[j] >= 0 && !of_inverse.contains(moved[j])) of_inverse.push(moved[j]);
-      if (moved[j] != none) all.push(j);
-    }
-    const sequence<symbolic::column_group> apart = mass_.grouped(force, solved);
-    if (of_inverse.empty()) return apart;
-    const sequence<symbolic::column_group> together = mass_.grouped(force, all);
-    const int added = steps_of(together) - steps_of(apart);
-    if (added > most_steps_for_one * mass_.steps_of_inverse(of_inverse)) return apart;
-    for (int& row : moved) row = none;
-    return together;
   }
 
   constexpr void solve_column(const symbolic::matrix& force, int column, symbolic::matrix& out) {
@@ -81,11 +64,11 @@ private:
                                         symbolic::matrix& out) {
     sequence<int> columns;
     for (int i : moved)
-      if (i >= 0 && !columns.contains(i)) columns.push(i);
+      if (i != none && !columns.contains(i)) columns.push(i);
     const sequence<symbolic::symmetric_solution> inverse = mass_.inverse_columns(columns);
     for (const symbolic::symmetric_solution& column : inverse) pivots_.append(column.pivots);
     for (int j = 0; j < out.columns; ++j) {
-      if (moved[j] < 0) continue;
+      if (moved[j] == none) continue;
       const symbolic::symmetric_solution& column = inverse[columns.find(moved[j])];
       for (int i = 0; i < out.rows; ++i) out(i, j) = force(moved[j], j) * column.x[i];
     }

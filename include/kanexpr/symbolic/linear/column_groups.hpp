@@ -13,12 +13,6 @@ struct column_group {
   int steps = 0;           ///< for each column
 };
 
-constexpr int steps_of(const sequence<column_group>& groups) {
-  int steps = 0;
-  for (const column_group& each : groups) steps += each.steps * each.columns.size();
-  return steps;
-}
-
 /// Groups the columns of right-hand sides by the rows in which they become nonzero, so that the steps on
 /// zeros are omitted for a whole group. Groups are joined if this adds few steps: a processor takes several
 /// columns at a time.

@@ -167,34 +167,15 @@ public:
     return solved;
   }
 
-  /// Groups columns of `right` whose entries become nonzero in about the same rows.
-  constexpr sequence<column_group> grouped(const matrix& right, const sequence<int>& columns) const {
-    return column_groups(n_, order_, factors_).of(right, columns);
-  }
-
-  /// Solves for groups of columns of `right` into the same columns of `x`, with one node for each group, and
-  /// returns the pivots.
-  constexpr sequence<pivot> solve_together(const matrix& right, const sequence<column_group>& groups,
+  /// Solves for several columns of `right` into the same columns of `x`, as one node for all columns whose
+  /// right-hand sides become nonzero in about the same rows, and returns the pivots.
+  constexpr sequence<pivot> solve_together(const matrix& right, const sequence<int>& columns,
                                            matrix& x) const {
     sequence<pivot> pivots = pivots_;
     const int factors = list_of_factors(pivots);
-    for (const column_group& group : groups) solve_group(right, group.columns, factors, x);
+    for (const column_group& group : column_groups(n_, order_, factors_).of(right, columns))
+      solve_group(right, group.columns, factors, x);
     return pivots;
-  }
-
-  /// The steps, multiplications followed by subtractions, for columns of the inverse on their own.
-  constexpr int steps_of_inverse(const sequence<int>& columns) const {
-    int steps = 0;
-    for (int column : columns) {
-      sequence<char> filled(n_, 0);
-      filled[column] = 1;
-      for (int step = positions_[column]; step < n_; ++step)
-        if (filled[order_[step]] != 0) steps += fill_from(order_[step], filled);
-      for (int step = n_ - 1; step >= 0; --step)
-        if (step >= positions_[column] || !columns.contains(order_[step]))
-          steps += 1 + factors_in_row(order_[step]);
-    }
-    return steps;
   }
 
 private:
@@ -231,19 +212,6 @@ private:
         const int place = index++;
         if (filled[step] != 0) x(order_[step], j) = {g_, component(g_, node, place)};
       }
-  }
-
-  constexpr int factors_in_row(int p) const {
-    int count = 0;
-    for (int i = 0; i < n_; ++i)
-      if (factors_[p * n_ + i] != graph::zero) ++count;
-    return count;
-  }
-  /// Marks the rows that become nonzero with row `p`, and returns their number.
-  constexpr int fill_from(int p, sequence<char>& filled) const {
-    for (int i = 0; i < n_; ++i)
-      if (factors_[p * n_ + i] != graph::zero) filled[i] = 1;
-    return factors_in_row(p);
   }
 
   constexpr void eliminate(int p) {
