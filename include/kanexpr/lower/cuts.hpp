@@ -171,8 +171,8 @@ private:
     for (int i = 0; i < tape_.sizes.loads; ++i) place[tape_.sizes.numbers + i] = found_.places++;
     assign_columns();
     for (int i = 0; i < tape_.sizes.results; ++i)
-      if (const int slot = tape_.results[i];
-          slot >= tape_.sizes.numbers && place[slot] == cuts::none) place[slot] = found_.places++;
+      if (const int slot = tape_.results[i]; slot >= tape_.sizes.numbers && place[slot] == cuts::none)
+        place[slot] = found_.places++;
     const int pieces = found_.first.size() - 1;
     sequence<int> released(pieces, cuts::none); // a list of the places that each piece is the last to read
     base::zeros<int> following_places(found_.places + count_), free_places(found_.places + count_);
@@ -191,8 +191,7 @@ private:
         following[own] = released[reader];
         released[reader] = own;
       }
-      for (int each = released[piece]; each != cuts::none; each = following[each])
-        free[free_count++] = each;
+      for (int each = released[piece]; each != cuts::none; each = following[each]) free[free_count++] = each;
     }
   }
 
@@ -326,9 +325,10 @@ private:
   base::zeros<int> numbers_of_slots_{slots_};
   base::zeros<std::uint64_t> words_{slots_ / 64 + 1};
   slot_numbers &last_use_{last_uses_.elements<true>()}, ///< the last step that reads each slot
-      &change_{changes_.elements<true>()},              ///< the number of values that are live before each step
+      &change_{changes_.elements<true>()}, ///< the number of values that are live before each step
       &number_{numbers_of_slots_.elements<true>()}, &place_{found_.place.elements<true>()},
-      &inputs_{found_.inputs.elements<true>()}, &a_{found_.a.elements<true>()}, &b_{found_.b.elements<true>()};
+      &inputs_{found_.inputs.elements<true>()}, &a_{found_.a.elements<true>()},
+      &b_{found_.b.elements<true>()};
   std::uint64_t (&word_)[base::zeros<std::uint64_t>::room]{words_.elements<true>()};
 };
 

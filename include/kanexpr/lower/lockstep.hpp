@@ -21,7 +21,7 @@ struct signed_step {
 /// branches that are mirror images of each other run in lockstep too; changes of sign do not round.
 struct lockstep {
   int lanes = 0;
-  sequence<int> members{};    ///< slots: for each bundle, one of each lane
+  sequence<int> members{};  ///< slots: for each bundle, one of each lane
   base::zeros<int> bundles; ///< of each slot, counted from 1; 0 for none
   base::zeros<char> lane;   ///< of each slot in a bundle
   base::zeros<char> minus;  ///< whether the value in the bundle is minus that of the step
@@ -49,7 +49,8 @@ namespace detail {
 ///
 /// No bundle depends on itself: each of its steps depends on the same lane of other bundles, on values that
 /// all lanes share, and on values from outside, so that a circle of bundles would be a circle of steps. The
-/// code runs only in constant evaluation, and accesses arrays directly because compilers interpret every call.
+/// code runs only in constant evaluation, and accesses arrays directly because compilers interpret every
+/// call.
 template <class Tape>
 class lockstep_search {
 public:

@@ -240,8 +240,7 @@ private:
     const bool second_is_gathered = op != operation::add && is_gathered(second);
     for (int k = 0; k < lanes_; ++k) {
       const int member = members[k];
-      const bool all = minus_[member] != 0,
-                 a = (minus_a_[member] != 0) != (whole_a && minus_[first[k]] != 0),
+      const bool all = minus_[member] != 0, a = (minus_a_[member] != 0) != (whole_a && minus_[first[k]] != 0),
                  b = (minus_b_[member] != 0) != (whole_b && minus_[second[k]] != 0);
       if (op == operation::add) {
         minus_a |= (a != all ? 1 : 0) << k;

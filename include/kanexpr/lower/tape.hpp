@@ -85,6 +85,8 @@ public:
   }
 
 private:
+  static constexpr bool has_arrays = requires(Tape t) { t.steps.count; };
+
   /// Lists the live nodes, including the sines and cosines from which tangents are computed.
   constexpr void list_live(int end) {
     const auto& nodes = g_.elements<is_constant>();
@@ -151,6 +153,26 @@ private:
     const auto& nodes = g_.elements<is_constant>();
     const auto& order = in_order.elements<is_constant>();
     auto& slot = slots_.elements<is_constant>();
+    if constexpr (has_arrays) {
+      constant_steps& all = tape_.steps;
+      auto& to_op = all.op.template elements<true>();
+      auto &a = all.a.template elements<true>(), &b = all.b.template elements<true>();
+      for (int i = 0; i < count; ++i) { // without calls, because compilers remember each
+        const int id = order[i];
+        if (slot[id] != 0) continue;
+        const operation op = nodes[id].op;
+        if (op > operation::divide) {
+          put(id);
+          continue;
+        }
+        const int next = all.count++;
+        to_op[next] = op;
+        a[next] = slot[nodes[id].a] - 1;
+        b[next] = op == operation::negate ? 0 : slot[nodes[id].b] - 1;
+        slot[id] = first_step_ + next + 1;
+      }
+      return;
+    }
     for (int i = 0; i < count; ++i) {
       const int id = order[i];
       if (slot[id] != 0) continue;
@@ -229,7 +251,7 @@ private:
 
   /// Adds a step and returns its slot.
   constexpr int step(operation op, int a, int b, bool is_paired = false) {
-    if constexpr (requires(Tape t) { t.steps.count; }) {
+    if constexpr (has_arrays) {
       constant_steps& all = tape_.steps;
       const int i = all.count++;
       all.op.elements<is_constant>()[i] = op;
