@@ -272,12 +272,14 @@ private:
   }
 
   // a separate function, not a lambda: compilers do not inline lambdas here, and the slots stay in memory
+  // coeffRef, because the operators of a matrix are templates, among which compilers choose at length
   template <class Number, int first, int columns, bool with_zeros, class Done, class Matrix, int... index>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
-    const int order[]{0, (put < first + index,
-                          with_zeros && is_zero(first + index) > (done, m(index / columns, index % columns)),
-                          0)...};
+    const int order[]{
+        0,
+        (put < first + index,
+         with_zeros && is_zero(first + index) > (done, m.coeffRef(index / columns, index % columns)), 0)...};
     static_cast<void>(order);
   }
   template <int index, bool is_known, class Done, class Number>

@@ -150,14 +150,14 @@ private:
 
   /// Assigns steps to nodes in order; most of them are operations on two slots.
   constexpr void put_all(const base::zeros<int>& in_order, int count) {
-    const auto& nodes = g_.elements<is_constant>();
     const auto& order = in_order.elements<is_constant>();
     auto& slot = slots_.elements<is_constant>();
-    if constexpr (has_arrays) {
-      constant_steps& all = tape_.steps;
-      auto& to_op = all.op.template elements<true>();
-      auto &a = all.a.template elements<true>(), &b = all.b.template elements<true>();
-      for (int i = 0; i < count; ++i) { // without calls, because compilers remember each
+    if constexpr (has_arrays) { // without calls, because compilers remember each
+      const auto& nodes = g_.elements<is_constant>();
+      auto& steps = tape_.steps.op.template elements<true>();
+      auto &a = tape_.steps.a.template elements<true>(), &b = tape_.steps.b.template elements<true>();
+      int& next = tape_.steps.count;
+      for (int i = 0; i < count; ++i) {
         const int id = order[i];
         if (slot[id] != 0) continue;
         const operation op = nodes[id].op;
@@ -165,24 +165,14 @@ private:
           put(id);
           continue;
         }
-        const int next = all.count++;
-        to_op[next] = op;
+        steps[next] = op;
         a[next] = slot[nodes[id].a] - 1;
         b[next] = op == operation::negate ? 0 : slot[nodes[id].b] - 1;
-        slot[id] = first_step_ + next + 1;
+        slot[id] = first_step_ + ++next;
       }
-      return;
-    }
-    for (int i = 0; i < count; ++i) {
-      const int id = order[i];
-      if (slot[id] != 0) continue;
-      const operation op = nodes[id].op;
-      if (op > operation::divide)
-        put(id);
-      else if (op == operation::negate)
-        slot[id] = step(op, slot[nodes[id].a] - 1, 0) + 1;
-      else
-        slot[id] = step(op, slot[nodes[id].a] - 1, slot[nodes[id].b] - 1) + 1;
+    } else {
+      for (int i = 0; i < count; ++i)
+        if (slot[order[i]] == 0) put(order[i]);
     }
   }
 

@@ -55,8 +55,8 @@ private:
   using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
-  /// What the plan says of each entry, as template arguments: compilers take far longer to call a function
-  /// for each of them, and clang++ would load the elements of an array from memory.
+  /// The plan of each entry as template arguments: compilers take far longer to call a function for each of
+  /// them, and clang++ would load the elements of an array from memory.
   template <class Entries>
   struct lists;
   template <int... entry>
