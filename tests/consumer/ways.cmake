@@ -30,7 +30,7 @@ foreach(way IN LISTS ways)
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/${way}
       --build-generator ${CMAKE_GENERATOR}
       --build-options -DWAY=${way} -DKANEXPR_SOURCE=${PROJECT_SOURCE_DIR} -DCMAKE_PREFIX_PATH=${prefix}
-        -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+        -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS} # how often g++ collects its garbage
       --test-command ${program})
 endforeach()
 foreach(way IN ITEMS find_package engine without_engine simulate linked robot)

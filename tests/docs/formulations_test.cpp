@@ -181,6 +181,16 @@ TEST(formulations, name_the_reason_why_one_does_not_apply) {
   EXPECT_EQ(called(explain(with_loop, briefly), "by articulated bodies").cause, "it has constraints");
   EXPECT_EQ(called(explain<four_bar::LagrangeSystem>(briefly), "by articulated bodies").cause,
             "its equations are derived by Lagrange's method");
+
+  const explain_options of_derivatives{.results = {mechanics::quantity::state_matrix}, .searches = false};
+  chain plain(3, true), solved_otherwise(3, true);
+  solved_otherwise.by_articulated_bodies();
+  solved_otherwise.in_absolute_speeds();
+  const explanation forms = explain(plain, of_derivatives);
+  EXPECT_EQ(forms.chosen().cost, explain(solved_otherwise, of_derivatives).chosen().cost);
+  for (const char* const each : {"by articulated bodies", "absolute speeds"})
+    EXPECT_EQ(called(forms, each).cause, "only udot and rhs depend on it");
+
   builder without_motion("N");
   EXPECT_EQ(explain(without_motion).mistake, "the system has no generalized speeds");
   EXPECT_EQ(explain(without_motion).text(), "the system has no generalized speeds\n");

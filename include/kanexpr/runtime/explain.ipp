@@ -89,6 +89,7 @@ private:
       no_tree_ = "it has constraints";
     else if (!s.flexible_parts.empty())
       no_tree_ = "a body is flexible";
+    if (no_tree_.empty() && !counts_solution()) no_tree_ = "only udot and rhs depend on it";
     no_absolute_ = no_tree_;
     if (no_tree_.empty() && !mechanics::absolute_speeds(s).is_any())
       no_absolute_ = "no two bodies, one on the other, rotate about parallel axes of the ground";
@@ -105,6 +106,13 @@ private:
     for (const axes_of_system::body& b : bodies_)
       if (b.has_mass) form.entry(b.frame).about_the_center = true;
     return form;
+  }
+
+  /// Whether a result contains the solution of the equations; derivatives of u̇ are always solved with M.
+  bool counts_solution() const {
+    return std::ranges::any_of(options_.results, [](mechanics::quantity each) {
+      return each == mechanics::quantity::udot || each == mechanics::quantity::rhs;
+    });
   }
 
   static std::string named(const std::string& variant, const std::string& solved) {
