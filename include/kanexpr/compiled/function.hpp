@@ -250,7 +250,7 @@ private:
   }
 
   /// Whether an entry is zero in every state.
-  static consteval bool is_zero(int entry) {
+  static constexpr bool is_zero(int entry) {
     const int slot = code::tape.results[entry];
     return slot < code::tape.sizes.numbers && code::tape.numbers[slot].is_zero();
   }
@@ -260,29 +260,53 @@ private:
     for (int i = 0; i < count; ++i) zeros += is_zero(first + i) ? 1 : 0;
     return zeros >= fewest && 2 * zeros >= count;
   }
+  /// The entries of a result that are not zero in every state.
+  template <int first, int count>
+  class nonzero_entries {
+    struct found {
+      int entry[static_cast<std::size_t>(count)]{}, size = 0;
+
+      constexpr found() {
+        for (int i = 0; i < count; ++i)
+          if (!is_zero(first + i)) entry[size++] = i;
+      }
+    };
+    static constexpr found all{};
+
+    template <class>
+    struct list;
+    template <int... index>
+    struct list<std::integer_sequence<int, index...>> {
+      using type = std::integer_sequence<int, all.entry[index]...>;
+    };
+
+  public:
+    using type = typename list<std::make_integer_sequence<int, all.size>>::type;
+  };
 
   template <class Number, int first, int rows, int columns, class Done, class Matrix>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m) noexcept {
-    constexpr bool with_zeros = has_many_zeros(first, rows * columns);
-    if constexpr (with_zeros) {
+    if constexpr (has_many_zeros(first, rows * columns)) {
       const Number zero = lower::scalar_math<Number>::from(0);
       for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = zero;
+      fill<first, columns>(done, m, typename nonzero_entries<first, rows * columns>::type{});
+    } else {
+      fill<first, columns>(done, m, std::make_integer_sequence<int, rows * columns>{});
     }
-    fill<Number, first, columns, with_zeros>(done, m, std::make_integer_sequence<int, rows * columns>{});
   }
 
   // a separate function, not a lambda: compilers do not inline lambdas here, and the slots stay in memory
-  template <class Number, int first, int columns, bool with_zeros, class Done, class Matrix, int... index>
-  [[gnu::always_inline]] static void fill(const Done& done, Matrix& m,
-                                          std::integer_sequence<int, index...>) noexcept {
-    const int order[]{0, (put < first + index,
-                          with_zeros && is_zero(first + index) > (done, m(index / columns, index % columns)),
-                          0)...};
+  // coeffRef, because the operators of a matrix are templates, among which compilers choose at length
+  template <int first, int columns, class Done, class Matrix, int... entry>
+  [[gnu::always_inline]] static void fill([[maybe_unused]] const Done& done, [[maybe_unused]] Matrix& m,
+                                          std::integer_sequence<int, entry...>) noexcept {
+    const int order[]{0,
+                      (put_entry<first + entry>(done, m.coeffRef(entry / columns, entry % columns)), 0)...};
     static_cast<void>(order);
   }
-  template <int index, bool is_known, class Done, class Number>
-  [[gnu::always_inline]] static void put(const Done& done, Number& entry) noexcept {
-    if constexpr (!is_known) entry = done.template result<index>();
+  template <int index, class Done, class Number>
+  [[gnu::always_inline]] static void put_entry(const Done& done, Number& entry) noexcept {
+    entry = done.template result<index>();
   }
 
   static constexpr int first_of(std::size_t which) {

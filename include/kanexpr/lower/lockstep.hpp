@@ -21,25 +21,26 @@ struct signed_step {
 /// branches that are mirror images of each other run in lockstep too; changes of sign do not round.
 struct lockstep {
   int lanes = 0;
-  sequence<int> members{};    ///< slots: for each bundle, one of each lane
-  base::zeros<int> bundles{}; ///< of each slot, counted from 1; 0 for none
-  base::zeros<char> lane{};   ///< of each slot in a bundle
-  base::zeros<char> minus{};  ///< whether the value in the bundle is minus that of the step
+  sequence<int> members{};  ///< slots: for each bundle, one of each lane
+  base::zeros<int> bundles; ///< of each slot, counted from 1; 0 for none
+  base::zeros<char> lane;   ///< of each slot in a bundle
+  base::zeros<char> minus;  ///< whether the value in the bundle is minus that of the step
 
-  base::zeros<int> root{};     ///< of each slot, the slot without the changes of sign before it
-  base::zeros<char> negated{}; ///< whether a slot is minus its root
+  base::zeros<int> root;     ///< of each slot, the slot without the changes of sign before it
+  base::zeros<char> negated; ///< whether a slot is minus its root
   /// The operands of each slot in the order of its bundle, without signs, and their signs.
-  base::zeros<int> a{}, b{};
-  base::zeros<char> minus_a{}, minus_b{};
+  base::zeros<int> a, b;
+  base::zeros<char> minus_a, minus_b;
 
+  constexpr lockstep(int branches, int slots)
+      : lanes(branches), bundles(slots), lane(slots), minus(slots), root(slots), negated(slots), a(slots),
+        b(slots), minus_a(slots), minus_b(slots) {}
   constexpr int count() const { return lanes == 0 ? 0 : members.size() / lanes; }
-
-  constexpr signed_step step_of(const tape_view& t, int slot) const {
-    const operation op = t.steps.op[slot - t.first_step()];
-    return {op == operation::subtract ? operation::add : op, a[slot], b[slot], minus_a[slot] != 0,
-            minus_b[slot] != 0};
-  }
 };
+
+/// The array of `base::zeros` in constant evaluation.
+template <class Number>
+using slot_marks = Number[base::zeros<Number>::room];
 
 namespace detail {
 
@@ -48,22 +49,15 @@ namespace detail {
 ///
 /// No bundle depends on itself: each of its steps depends on the same lane of other bundles, on values that
 /// all lanes share, and on values from outside, so that a circle of bundles would be a circle of steps. The
-/// code accesses arrays directly because compilers interpret every call.
+/// code runs only in constant evaluation, and accesses arrays directly because compilers interpret every
+/// call.
+template <class Tape>
 class lockstep_search {
 public:
   /// Only the steps before `end` are examined.
-  constexpr lockstep_search(const tape_view& t, const equal_branches& branches, int end)
-      : tape_(t), numbers_(t.numbers.size()), first_(t.first_step()), end_(end), lanes_(branches.count),
-        op_(t.steps.op) {
-    const int size = first_ + end;
-    found_.lanes = lanes_;
-    found_.bundles.grow(size), found_.lane.grow(size), found_.minus.grow(size), found_.root.grow(size);
-    found_.negated.grow(size), found_.a.grow(size), found_.b.grow(size), found_.minus_a.grow(size);
-    found_.minus_b.grow(size), depend_on_branches_.grow(size);
-    bundle_ = found_.bundles.begin(), lane_ = found_.lane.begin(), minus_ = found_.minus.begin();
-    root_ = found_.root.begin(), a_ = found_.a.begin(), b_ = found_.b.begin();
-    minus_a_ = found_.minus_a.begin(), minus_b_ = found_.minus_b.begin();
-    inside_ = depend_on_branches_.begin();
+  constexpr lockstep_search(const Tape& t, const equal_branches& branches, int end)
+      : tape_(t), numbers_(t.sizes.numbers), first_(t.first_step()), end_(end), lanes_(branches.count),
+        found_(lanes_, first_ + end) {
     for (int first = 0; first < branches.arguments.size(); first += lanes_)
       add_bundle(branches.arguments.begin() + first);
   }
@@ -91,8 +85,8 @@ private:
   enum fit { different, second_choice, equal };
 
   constexpr void find_operands() {
-    char* const negated = found_.negated.begin();
-    const int *const a = tape_.steps.a, *const b = tape_.steps.b;
+    const auto &a = tape_.a, &b = tape_.b;
+    auto& negated = negated_;
     for (int slot = 0; slot < first_; ++slot) {
       root_[slot] = slot;
       if (bundle_[slot] != 0 || is_input(slot)) inside_[slot] = 1;
@@ -117,26 +111,24 @@ private:
 
   /// Lists the steps that use each slot, up to sign.
   constexpr void list_users() {
-    first_users_.grow(first_ + end_ + 2);
-    all_users_.grow(2 * end_);
-    int* const first = first_users_.begin() + 1;
-    first_user_ = first_users_.begin(), user_ = all_users_.begin();
+    auto& first = first_user_; // of the slot before
     const int end = first_ + end_;
+    for (int slot = 0; slot <= end; ++slot) first[slot] = 0;
     for (int slot = first_; slot < end; ++slot) {
       if (op_[slot - first_] == operation::negate) continue;
-      ++first[a_[slot]];
-      if (b_[slot] != a_[slot]) ++first[b_[slot]];
+      ++first[a_[slot] + 1];
+      if (b_[slot] != a_[slot]) ++first[b_[slot] + 1];
     }
     int sum = 0;
     for (int slot = 0; slot < end; ++slot) {
-      const int count = first[slot];
-      first[slot] = sum;
+      const int count = first[slot + 1];
+      first[slot + 1] = sum;
       sum += count;
     }
     for (int slot = first_; slot < end; ++slot) { // afterwards, `first` is behind the users of a slot
       if (op_[slot - first_] == operation::negate) continue;
-      user_[first[a_[slot]]++] = slot;
-      if (b_[slot] != a_[slot]) user_[first[b_[slot]]++] = slot;
+      user_[first[a_[slot] + 1]++] = slot;
+      if (b_[slot] != a_[slot]) user_[first[b_[slot] + 1]++] = slot;
     }
   }
 
@@ -274,15 +266,18 @@ private:
     for (int k = 0; k < lanes_; ++k) bundle_[members[k]] = bundle;
   }
 
-  const tape_view& tape_;
+  const Tape& tape_;
   int numbers_, first_, end_, lanes_;
-  const operation* op_;
-  lockstep found_{};
-  base::zeros<int> first_users_{}, all_users_{};
-  base::zeros<char> depend_on_branches_{};
-  int *bundle_ = nullptr, *root_ = nullptr, *a_ = nullptr, *b_ = nullptr, *first_user_ = nullptr,
-      *user_ = nullptr;
-  char *inside_ = nullptr, *lane_ = nullptr, *minus_ = nullptr, *minus_a_ = nullptr, *minus_b_ = nullptr;
+  lockstep found_;
+  base::zeros<int> first_users_{first_ + end_ + 2}, users_{2 * end_ + 1};
+  base::zeros<char> depend_on_branches_{first_ + end_};
+  const decltype(Tape::op)& op_{tape_.op};
+  slot_marks<int>&bundle_{found_.bundles.elements<true>()}, &root_{found_.root.elements<true>()},
+      &a_{found_.a.elements<true>()}, &b_{found_.b.elements<true>()},
+      &first_user_{first_users_.elements<true>()}, &user_{users_.elements<true>()};
+  slot_marks<char>&inside_{depend_on_branches_.elements<true>()}, &lane_{found_.lane.elements<true>()},
+      &minus_{found_.minus.elements<true>()}, &minus_a_{found_.minus_a.elements<true>()},
+      &minus_b_{found_.minus_b.elements<true>()}, &negated_{found_.negated.elements<true>()};
 };
 
 } // namespace detail

@@ -55,30 +55,38 @@ struct lockstep_action {
 /// numbers, the early arguments, the first steps and the angles precede them.
 struct lockstep_entries {
   sequence<int> early{};                     ///< the arguments that the first steps need
-  sequence<int> action{}, place{};           ///< of each entry; places in memory
-  sequence<int> a{}, b{}, c{}, d{};          ///< the entries of the operands; a gathered vector has four
+  int count = 0;                             ///< of entries
+  base::zeros<int> action, place;            ///< of each entry; places in memory
+  base::zeros<int> a, b, c, d;               ///< the entries of the operands; a gathered vector has four
   int operations = 0, vector_operations = 0; ///< how many entries are operations, and how many of all lanes
+
+  constexpr explicit lockstep_entries(int most)
+      : action(most), place(most), a(most), b(most), c(most), d(most) {}
 };
 
 namespace detail {
 
 /// Orders the steps before `end` and the bundles: each follows its operands, and otherwise the order of the
-/// tape is kept. A bundle comes when its first step is needed.
+/// tape is kept. A bundle comes when its first step is needed. The code runs only in constant evaluation.
+template <class Tape, class Places>
 class lockstep_order {
 public:
   /// `place` has the place in memory of each slot, -1 if the value is not stored.
-  constexpr lockstep_order(const tape_view& t, const lockstep& l, int given, int end, const int* place)
-      : tape_(t), l_(l), numbers_(t.numbers.size()), first_(t.first_step()), given_(given), end_(end),
-        place_(place), entry_of_(first_ + end, none), entry_of_bundle_(l.count() + 1, none) {}
+  constexpr lockstep_order(const Tape& t, const lockstep& l, int given, int end, const Places& place)
+      : tape_(t), l_(l), lanes_(l.lanes), numbers_(t.sizes.numbers), first_(t.first_step()), given_(given),
+        slots_(first_ + end), tasks_(slots_ + l.count()), place_(place), out_(3 * slots_) {}
   lockstep_order(const lockstep_order&) = delete;
   lockstep_order& operator=(const lockstep_order&) = delete;
 
   constexpr lockstep_entries run() {
+    for (int task = 0; task < tasks_; ++task) entry_[task] = none;
     place_given();
-    for (int slot = first_ + given_; slot < first_ + end_; ++slot) {
-      const bool is_sign = op_of(slot) == operation::negate;
+    find_tasks();
+    for (int slot = first_ + given_; slot < slots_; ++slot) {
+      const bool is_sign = op_[slot - first_] == operation::negate;
       if (is_sign && place_[slot] == none) continue;
-      complete(is_sign ? task_of(l_.root[slot]) : task_of(slot));
+      const int task = task_[is_sign ? root_[slot] : slot];
+      if (entry_[task] == none) complete(task);
       if (is_sign) keep(slot);
     }
     return static_cast<lockstep_entries&&>(out_);
@@ -88,94 +96,99 @@ private:
   static constexpr int none = -1;
   using kind = lockstep_action::kind;
 
-  constexpr operation op_of(int slot) const { return tape_.steps.op[slot - first_]; }
   /// Whether the lanes of a bundle are computed apart: arguments, what is given, and functions.
   constexpr bool is_apart(int slot) const {
-    return slot < first_ + given_ || op_of(slot) > operation::divide;
+    return slot < first_ + given_ || op_[slot - first_] > operation::divide;
   }
 
   constexpr void place_given() {
-    for (int i = 0; i < numbers_; ++i) entry_of_[i] = i;
-    sequence<char> is_early(tape_.loads.size() + 1, 0);
+    for (int i = 0; i < numbers_; ++i) entry_[i] = i;
+    sequence<char> is_early(tape_.sizes.loads + 1, 0);
     for (int i = 0; i < given_; ++i) {
-      for (int slot : {tape_.steps.a[i], tape_.steps.b[i]})
+      for (int slot : {tape_.a[i], tape_.b[i]})
         if (slot >= numbers_ && slot < first_) is_early[slot - numbers_] = 1;
     }
-    for (int i = 0; i < tape_.loads.size(); ++i) {
+    for (int i = 0; i < tape_.sizes.loads; ++i) {
       if (is_early[i] == 0) continue;
-      entry_of_[numbers_ + i] = numbers_ + out_.early.size();
+      entry_[numbers_ + i] = numbers_ + out_.early.size();
       out_.early.push(i);
     }
     first_entry_ = numbers_ + out_.early.size() + given_;
-    for (int i = 0; i < given_; ++i) entry_of_[first_ + i] = numbers_ + out_.early.size() + i;
+    for (int i = 0; i < given_; ++i) entry_[first_ + i] = numbers_ + out_.early.size() + i;
   }
 
-  // A task is a slot that has an entry of its own, or a bundle, counted from the number of slots.
-
-  constexpr int task_of(int slot) const {
-    return is_apart(slot) || l_.bundles[slot] == 0 ? slot : task_of_bundle(slot);
-  }
-  constexpr int task_of_bundle(int slot) const { return first_ + end_ + l_.bundles[slot] - 1; }
-  constexpr bool is_done(int task) const {
-    return task < first_ + end_ ? entry_of_[task] != none : entry_of_bundle_[task - first_ - end_] != none;
+  /// A task is a slot that has an entry of its own, or a bundle, counted from the number of slots.
+  constexpr void find_tasks() {
+    const auto& op = op_;
+    const auto& bundle = bundle_;
+    auto& task = task_;
+    for (int slot = 0; slot < slots_; ++slot) {
+      const bool is_own =
+          bundle[slot] == 0 || slot < first_ + given_ || op[slot - first_] > operation::divide;
+      task[slot] = is_own ? slot : slots_ + bundle[slot] - 1;
+    }
   }
 
   constexpr void complete(int wanted) {
-    sequence<int> open{wanted};
-    while (!open.empty()) {
-      const int task = open.back(), before = open.size();
-      if (!is_done(task)) push_operands(task, open);
-      if (open.size() != before) continue;
-      open.pop();
-      if (is_done(task)) continue;
-      if (task < first_ + end_)
+    open_[open_count_++] = wanted;
+    while (open_count_ != 0) {
+      const int task = open_[open_count_ - 1], before = open_count_;
+      if (entry_[task] == none && task >= first_) {
+        if (task < slots_) {
+          need(task_[a_[task]]);
+          need(task_[b_[task]]);
+        } else {
+          push_operands(task - slots_);
+        }
+      }
+      if (open_count_ != before) continue;
+      --open_count_;
+      if (entry_[task] != none) continue;
+      if (task < slots_)
         add_scalar(task);
       else
-        add_bundle(task - first_ - end_);
+        add_bundle(task - slots_);
     }
   }
 
-  constexpr void push_operands(int task, sequence<int>& open) const {
-    const auto need = [&](int other) {
-      if (!is_done(other)) open.push(other);
-    };
-    if (task < first_) return;
-    if (task < first_ + end_) {
-      const signed_step s = l_.step_of(tape_, task);
-      need(task_of(s.a));
-      need(task_of(s.b));
-      return;
-    }
-    const int* const members = members_of(task - first_ - end_);
+  constexpr void need(int task) {
+    if (entry_[task] == none) open_[open_count_++] = task;
+  }
+
+  constexpr void push_operands(int bundle) {
+    const int* const members = members_of(bundle);
     if (is_apart(members[0])) {
-      for (int k = 0; k < l_.lanes; ++k) need(members[k]);
+      for (int k = 0; k < lanes_; ++k) need(members[k]);
       return;
     }
-    const signed_step s = l_.step_of(tape_, members[0]), next = l_.step_of(tape_, members[1]);
-    if (is_whole(s.a, next.a)) need(task_of_bundle(s.a));
-    if (is_whole(s.b, next.b)) need(task_of_bundle(s.b));
-    for (int k = 0; k < l_.lanes; ++k) {
-      const signed_step each = l_.step_of(tape_, members[k]);
-      if (!is_whole(s.a, next.a)) need(task_of(each.a));
-      if (!is_whole(s.b, next.b)) need(task_of(each.b));
+    const int a = a_[members[0]], b = b_[members[0]];
+    const bool whole_a = is_whole(a, a_[members[1]]), whole_b = is_whole(b, b_[members[1]]);
+    if (whole_a) need(slots_ + bundle_[a] - 1);
+    if (whole_b) need(slots_ + bundle_[b] - 1);
+    for (int k = 0; k < lanes_; ++k) {
+      const int member = members[k];
+      if (!whole_a) need(task_[a_[member]]);
+      if (!whole_b) need(task_[b_[member]]);
     }
   }
 
   /// Whether an operand of a bundle is another bundle.
   constexpr bool is_whole(int slot, int next) const {
-    const int bundle = l_.bundles[slot];
-    return bundle != 0 && l_.lane[slot] == 0 && l_.members[(bundle - 1) * l_.lanes + 1] == next;
+    const int bundle = bundle_[slot];
+    return bundle != 0 && lane_[slot] == 0 && l_.members.begin()[(bundle - 1) * lanes_ + 1] == next;
   }
 
   constexpr const int* members_of(int bundle) const {
-    const int first = bundle * l_.lanes;
+    const int first = bundle * lanes_;
     return l_.members.begin() + first;
   }
 
   constexpr int add(const lockstep_action& action, int a, int b = 0, int c = 0, int d = 0, int place = 0) {
-    out_.place.push(place);
-    out_.a.push(a), out_.b.push(b), out_.c.push(c), out_.d.push(d);
-    return first_entry_ + out_.action.push(action.code());
+    const int entry = out_.count++;
+    to_action_[entry] = action.code();
+    to_place_[entry] = place;
+    to_a_[entry] = a, to_b_[entry] = b, to_c_[entry] = c, to_d_[entry] = d;
+    return first_entry_ + entry;
   }
 
   struct operand {
@@ -183,81 +196,87 @@ private:
     operand_form form{};
   };
   constexpr operand scalar(int slot, bool minus) const {
-    if (entry_of_[slot] != none) return {entry_of_[slot], {operand_form::scalar, minus}};
-    return {entry_of_bundle_[l_.bundles[slot] - 1], {l_.lane[slot], minus != (l_.minus[slot] != 0)}};
+    if (entry_[slot] != none) return {entry_[slot], {operand_form::scalar, minus}};
+    return {entry_[slots_ + bundle_[slot] - 1], {lane_[slot], minus != (minus_[slot] != 0)}};
+  }
+  constexpr operation op_of(int slot) const {
+    const operation op = op_[slot - first_];
+    return op == operation::subtract ? operation::add : op;
   }
 
   constexpr void add_scalar(int slot) {
     if (slot < first_) {
-      entry_of_[slot] = add({kind::argument}, 0, 0, 0, 0, place_[slot]);
+      entry_[slot] = add({kind::argument}, 0, 0, 0, 0, place_[slot]);
       return;
     }
-    const signed_step s = l_.step_of(tape_, slot);
-    const operand a = scalar(s.a, s.minus_a), b = scalar(s.b, s.minus_b);
-    const bool is_kept = place_[slot] != none;
-    entry_of_[slot] = add({kind::value, s.op, a.form, b.form, 0, 0, is_kept}, a.entry, b.entry, 0, 0,
-                          is_kept ? place_[slot] : 0);
+    const operand a = scalar(a_[slot], minus_a_[slot] != 0), b = scalar(b_[slot], minus_b_[slot] != 0);
+    const int place = place_[slot];
+    const bool is_kept = place != none;
+    entry_[slot] = add({kind::value, op_of(slot), a.form, b.form, 0, 0, is_kept}, a.entry, b.entry, 0, 0,
+                       is_kept ? place : 0);
     ++out_.operations;
   }
 
   /// Stores a value that is the root of a slot or minus that.
   constexpr void keep(int slot) {
-    const operand a = scalar(l_.root[slot], l_.negated[slot] != 0);
+    const operand a = scalar(root_[slot], negated_[slot] != 0);
     add({kind::value, operation::negate, {a.form.lane, !a.form.is_minus}, {}, 0, 0, true}, a.entry, 0, 0, 0,
         place_[slot]);
   }
 
   constexpr void add_bundle(int bundle) {
     const int* const members = members_of(bundle);
+    const int task = slots_ + bundle;
     if (is_apart(members[0])) {
       int minus = 0;
-      for (int k = 0; k < l_.lanes; ++k) minus |= l_.minus[members[k]] << k;
-      entry_of_bundle_[bundle] = gather(members, minus);
+      for (int k = 0; k < lanes_; ++k) minus |= minus_[members[k]] << k;
+      entry_[task] = gather(members, minus);
       return;
     }
-    signed_step s[4];
+    const operation op = op_of(members[0]);
     int first[4]{}, second[4]{}, minus_a = 0, minus_b = 0;
-    for (int k = 0; k < l_.lanes; ++k) {
-      s[k] = l_.step_of(tape_, members[k]);
-      first[k] = s[k].a, second[k] = s[k].b;
-    }
+    for (int k = 0; k < lanes_; ++k) first[k] = a_[members[k]], second[k] = b_[members[k]];
     const bool whole_a = is_whole(first[0], first[1]), whole_b = is_whole(second[0], second[1]);
-    for (int k = 0; k < l_.lanes; ++k) {
-      const bool all = l_.minus[members[k]] != 0, a = s[k].minus_a != (whole_a && l_.minus[first[k]] != 0),
-                 b = s[k].minus_b != (whole_b && l_.minus[second[k]] != 0);
-      if (s[0].op == operation::add) {
+    const bool second_is_gathered = op != operation::add && is_gathered(second);
+    for (int k = 0; k < lanes_; ++k) {
+      const int member = members[k];
+      const bool all = minus_[member] != 0, a = (minus_a_[member] != 0) != (whole_a && minus_[first[k]] != 0),
+                 b = (minus_b_[member] != 0) != (whole_b && minus_[second[k]] != 0);
+      if (op == operation::add) {
         minus_a |= (a != all ? 1 : 0) << k;
         minus_b |= (b != all ? 1 : 0) << k;
       } else {
-        (is_gathered(second) ? minus_b : minus_a) |= ((a != b) != all ? 1 : 0) << k;
+        (second_is_gathered ? minus_b : minus_a) |= ((a != b) != all ? 1 : 0) << k;
       }
     }
     const operand a = vector_operand(first, minus_a), b = vector_operand(second, minus_b);
-    entry_of_bundle_[bundle] =
-        add({kind::vector, s[0].op, a.form, b.form, minus_a, minus_b, false}, a.entry, b.entry);
+    const int entry = add({kind::vector, op, a.form, b.form, minus_a, minus_b, false}, a.entry, b.entry);
+    entry_[task] = entry;
     ++out_.operations;
     ++out_.vector_operations;
-    for (int k = 0; k < l_.lanes; ++k)
-      if (place_[members[k]] != none)
-        add({kind::value, operation::negate, {k, l_.minus[members[k]] == 0}, {}, 0, 0, true},
-            entry_of_bundle_[bundle], 0, 0, 0, place_[members[k]]);
+    for (int k = 0; k < lanes_; ++k) {
+      const int member = members[k], place = place_[member];
+      if (place != none)
+        add({kind::value, operation::negate, {k, minus_[member] == 0}, {}, 0, 0, true}, entry, 0, 0, 0,
+            place);
+    }
   }
 
   /// Whether an operand is neither another bundle nor the same value in all lanes.
   constexpr bool is_gathered(const int* operands) const {
     if (is_whole(operands[0], operands[1])) return false;
     bool is_same = operands[0] >= numbers_;
-    for (int k = 1; k < l_.lanes; ++k) is_same = is_same && operands[k] == operands[0];
+    for (int k = 1; k < lanes_; ++k) is_same = is_same && operands[k] == operands[0];
     return !is_same;
   }
 
   /// What is gathered takes its signs with it.
   constexpr operand vector_operand(const int* operands, int& minus) {
     if (is_whole(operands[0], operands[1]))
-      return {entry_of_bundle_[l_.bundles[operands[0]] - 1], {operand_form::whole}};
+      return {entry_[slots_ + bundle_[operands[0]] - 1], {operand_form::whole}};
     if (!is_gathered(operands)) {
       const operand same = scalar(operands[0], false);
-      if (same.form.is_minus) minus ^= (1 << l_.lanes) - 1;
+      if (same.form.is_minus) minus ^= (1 << lanes_) - 1;
       return {same.entry, {same.form.lane}};
     }
     const int gathered = gather(operands, minus);
@@ -267,16 +286,26 @@ private:
 
   constexpr int gather(const int* operands, int minus) {
     int all[4]{};
-    for (int k = 0; k < l_.lanes; ++k) all[k] = entry_of_[operands[k]];
+    for (int k = 0; k < lanes_; ++k) all[k] = entry_[operands[k]];
     return add({kind::gather, operation::constant, {}, {}, minus, 0, false}, all[0], all[1], all[2], all[3]);
   }
 
-  const tape_view& tape_;
+  const Tape& tape_;
   const lockstep& l_;
-  int numbers_, first_, given_, end_, first_entry_ = 0;
-  const int* place_;
-  sequence<int> entry_of_, entry_of_bundle_;
-  lockstep_entries out_{};
+  int lanes_, numbers_, first_, given_, slots_, tasks_, first_entry_ = 0, open_count_ = 0;
+  const Places& place_;
+  lockstep_entries out_;
+  base::zeros<int> entries_{tasks_}, tasks_of_slots_{slots_}, stack_{8 * tasks_};
+  const decltype(Tape::op)& op_{tape_.op};
+  const slot_marks<int>&root_{l_.root.elements<true>()}, &a_{l_.a.elements<true>()},
+      &b_{l_.b.elements<true>()}, &bundle_{l_.bundles.elements<true>()};
+  const slot_marks<char>&lane_{l_.lane.elements<true>()}, &minus_{l_.minus.elements<true>()},
+      &minus_a_{l_.minus_a.elements<true>()}, &minus_b_{l_.minus_b.elements<true>()},
+      &negated_{l_.negated.elements<true>()};
+  slot_marks<int>&entry_{entries_.elements<true>()}, &task_{tasks_of_slots_.elements<true>()},
+      &open_{stack_.elements<true>()}, &to_action_{out_.action.elements<true>()},
+      &to_place_{out_.place.elements<true>()}, &to_a_{out_.a.elements<true>()},
+      &to_b_{out_.b.elements<true>()}, &to_c_{out_.c.elements<true>()}, &to_d_{out_.d.elements<true>()};
 };
 
 } // namespace detail
@@ -302,12 +331,13 @@ class lockstep_plan {
       if (!is_possible(end)) return;
       const equal_branches branches = equal_branches_of(view, most_lanes);
       if (branches.count == 0) return;
-      const lockstep found = detail::lockstep_search(view, branches, end).run();
+      const lockstep found = detail::lockstep_search(tape, branches, end).run();
       if (4 * found.count() * (found.lanes - 1) < end) return; // too few to pay
-      const lockstep_entries all = detail::lockstep_order(view, found, given, end, Cuts::value.place).run();
-      lanes = found.lanes, entries = all.action.size(), early_count = all.early.size();
+      const lockstep_entries all = detail::lockstep_order(tape, found, given, end, Cuts::value.place).run();
+      lanes = found.lanes, entries = all.count, early_count = all.early.size();
       operations = all.operations, vector_operations = all.vector_operations;
-      copy(all.early, early), copy(all.action, action), copy(all.place, place);
+      for (int i = 0; i < early_count; ++i) early[i] = all.early[i];
+      copy(all.action, action), copy(all.place, place);
       copy(all.a, a), copy(all.b, b), copy(all.c, c), copy(all.d, d);
     }
 
@@ -320,9 +350,9 @@ class lockstep_plan {
         if (tape.paired[i]) return false;
       return true;
     }
-    static constexpr void copy(const sequence<int>& from, int* to) {
-      const int* const each = from.begin();
-      for (int i = 0, end = from.size(); i < end; ++i) to[i] = each[i];
+    constexpr void copy(const base::zeros<int>& from, int (&to)[room]) const {
+      const auto& each = from.elements<true>();
+      for (int i = 0; i < entries; ++i) to[i] = each[i];
     }
   };
 

@@ -6,6 +6,8 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace kanexpr::lower {
 
@@ -31,7 +33,7 @@ public:
                        const base::zeros<int>& slot_of, const sequence<int>& results)
       : g_(g), places_(g.size()), values_(count), uses_(count), waits_(count), joins_(count),
         first_operands_(count), first_users_(count + 1), ranks_(count), gains_(count), prospects_(count),
-        operands_(3 * count), order_(count) {
+        operands_(3 * count), users_(3 * count), ready_(ranks * (count / 64 + 1)), order_(count) {
     const auto& nodes = g.elements<is_constant>();
     const auto& ids = live.elements<is_constant>();
     const auto& slot_at = slot_of.elements<is_constant>();
@@ -48,7 +50,6 @@ public:
     }
     count_ = values;
     words_ = values / 64 + 1;
-    ready_ = base::zeros<std::uint64_t>(ranks * words_);
     join_products(results);
     list_operands();
     list_users();
@@ -174,7 +175,6 @@ private:
     int place = 0;
     for (int k = 0; k < count_; ++k) first_user[k] = place += use[k];
     first_user[count_] = place;
-    users_ = base::zeros<int>(place);
     auto& users = users_.elements<is_constant>();
     for (int i = 0; i < place; ++i) users[i] = 0;
     for (int k = count_ - 1; k >= 0; --k) {
@@ -208,21 +208,20 @@ private:
   }
 
   constexpr void offer(int k) {
-    if (g_.elements<is_constant>()[values_.elements<is_constant>()[k]].op == operation::symmetric_solve) {
+    if (g_.elements<is_constant>()[value_[k]].op == operation::symmetric_solve) {
       last_.push(k);
       return;
     }
-    const int rank = prospects * gains_.elements<is_constant>()[k] + prospects_.elements<is_constant>()[k],
-              word = k / 64;
-    ranks_.elements<is_constant>()[k] = rank;
-    ready_.elements<is_constant>()[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
+    const int rank = prospects * gain_[k] + prospect_[k], word = k / 64;
+    rank_[k] = rank;
+    ready_word_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
     if (filled_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
     is_filled_ |= 1U << rank;
   }
 
   constexpr void withdraw(int k) {
-    const int rank = ranks_.elements<is_constant>()[k];
-    ready_.elements<is_constant>()[rank * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+    const int rank = rank_[k];
+    ready_word_[rank * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
     if (--filled_[rank] == 0) is_filled_ &= ~(1U << rank);
   }
 
@@ -304,19 +303,15 @@ private:
 
   constexpr void favour_last_user_of(int of) {
     const auto& nodes = g_.elements<is_constant>();
-    const auto& value = values_.elements<is_constant>();
-    const auto& rank = ranks_.elements<is_constant>();
-    const auto& first_user = first_users_.elements<is_constant>();
-    const auto& users = users_.elements<is_constant>();
-    for (int i = first_user[of], end = first_user[of + 1]; i < end; ++i) {
-      const int user = users[i];
-      if (rank[user] == done || nodes[value[user]].op == operation::pair) continue;
-      const bool is_offered = rank[user] >= 0;
+    for (int i = first_user_[of], end = first_user_[of + 1]; i < end; ++i) {
+      const int user = user_[i], rank = rank_[user];
+      if (rank == done || nodes[value_[user]].op == operation::pair) continue;
+      const bool is_offered = rank >= 0;
       if (is_offered) withdraw(user);
-      ++gains_.elements<is_constant>()[user];
+      ++gain_[user];
       if (is_offered)
         offer(user);
-      else if (waits_.elements<is_constant>()[user] == 1)
+      else if (wait_[user] == 1)
         raise_missing_operand_of(user);
       return;
     }
@@ -324,16 +319,14 @@ private:
 
   /// Raises the prospect of the only operand for which a step waits.
   constexpr void raise_missing_operand_of(int k) {
-    const auto& operands = operands_.elements<is_constant>();
-    const auto& rank = ranks_.elements<is_constant>();
-    const int gain = gains_.elements<is_constant>()[k], prospect = gain < prospects ? gain : prospects - 1;
-    int i = first_operands_.elements<is_constant>()[k];
-    while (rank[operands[i]] == done) ++i;
-    const int operand = operands[i];
-    if (prospect <= prospects_.elements<is_constant>()[operand]) return;
-    const bool is_offered = rank[operand] >= 0;
+    const int gain = gain_[k], prospect = gain < prospects ? gain : prospects - 1;
+    int i = first_operand_[k];
+    while (rank_[operand_[i]] == done) ++i;
+    const int operand = operand_[i];
+    if (prospect <= prospect_[operand]) return;
+    const bool is_offered = rank_[operand] >= 0;
     if (is_offered) withdraw(operand);
-    prospects_.elements<is_constant>()[operand] = prospect;
+    prospect_[operand] = prospect;
     if (is_offered) offer(operand);
   }
 
@@ -341,17 +334,31 @@ private:
   base::zeros<int> places_; ///< one more than the index among the values, by node
   base::zeros<int> values_; ///< the nodes computed by steps
   // by value
-  base::zeros<int> uses_;               ///< remaining uses
-  base::zeros<int> waits_;              ///< operands not yet available
-  base::zeros<int> joins_;              ///< whether products are joined to it
-  base::zeros<int> first_operands_;     ///< the index of its first operand
-  base::zeros<int> first_users_;        ///< the index of its first user
-  base::zeros<int> ranks_;              ///< the rank if ready; otherwise the reason why it is not
-  base::zeros<int> gains_;              ///< one plus the number of values by which it shrinks the live set
-  base::zeros<int> prospects_;          ///< the best gain of a step that waits for it only, bounded
-  base::zeros<int> operands_, users_{}; ///< as indices among the values
-  base::zeros<std::uint64_t> ready_{};  ///< one bit per value, by rank
+  base::zeros<int> uses_;             ///< remaining uses
+  base::zeros<int> waits_;            ///< operands not yet available
+  base::zeros<int> joins_;            ///< whether products are joined to it
+  base::zeros<int> first_operands_;   ///< the index of its first operand
+  base::zeros<int> first_users_;      ///< the index of its first user
+  base::zeros<int> ranks_;            ///< the rank if ready; otherwise the reason why it is not
+  base::zeros<int> gains_;            ///< one plus the number of values by which it shrinks the live set
+  base::zeros<int> prospects_;        ///< the best gain of a step that waits for it only, bounded
+  base::zeros<int> operands_, users_; ///< as indices among the values
+  base::zeros<std::uint64_t> ready_;  ///< one bit per value, by rank
   base::zeros<int> order_;
+
+  // the arrays themselves, for functions that are called for each step
+  template <class Number>
+  using array = std::remove_reference_t<
+      decltype(std::declval<base::zeros<Number>&>().template elements<is_constant>())>;
+  array<int>&value_{values_.template elements<is_constant>()},
+      &wait_{waits_.template elements<is_constant>()},
+      &first_operand_{first_operands_.template elements<is_constant>()},
+      &first_user_{first_users_.template elements<is_constant>()},
+      &rank_{ranks_.template elements<is_constant>()}, &gain_{gains_.template elements<is_constant>()},
+      &prospect_{prospects_.template elements<is_constant>()},
+      &operand_{operands_.template elements<is_constant>()}, &user_{users_.template elements<is_constant>()};
+  array<std::uint64_t>& ready_word_{ready_.template elements<is_constant>()};
+
   sequence<int> last_{};        ///< symmetric systems, which wait until nothing else is ready
   int count_ = 0;               ///< the number of values
   int ordered_ = 0;             ///< the number of those that are ordered

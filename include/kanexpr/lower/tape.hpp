@@ -85,6 +85,8 @@ public:
   }
 
 private:
+  static constexpr bool has_arrays = requires(Tape t) { t.steps.count; };
+
   /// Lists the live nodes, including the sines and cosines from which tangents are computed.
   constexpr void list_live(int end) {
     const auto& nodes = g_.elements<is_constant>();
@@ -148,19 +150,29 @@ private:
 
   /// Assigns steps to nodes in order; most of them are operations on two slots.
   constexpr void put_all(const base::zeros<int>& in_order, int count) {
-    const auto& nodes = g_.elements<is_constant>();
     const auto& order = in_order.elements<is_constant>();
     auto& slot = slots_.elements<is_constant>();
-    for (int i = 0; i < count; ++i) {
-      const int id = order[i];
-      if (slot[id] != 0) continue;
-      const operation op = nodes[id].op;
-      if (op > operation::divide)
-        put(id);
-      else if (op == operation::negate)
-        slot[id] = step(op, slot[nodes[id].a] - 1, 0) + 1;
-      else
-        slot[id] = step(op, slot[nodes[id].a] - 1, slot[nodes[id].b] - 1) + 1;
+    if constexpr (has_arrays) { // without calls, because compilers remember each
+      const auto& nodes = g_.elements<is_constant>();
+      auto& steps = tape_.steps.op.template elements<true>();
+      auto &a = tape_.steps.a.template elements<true>(), &b = tape_.steps.b.template elements<true>();
+      int& next = tape_.steps.count;
+      for (int i = 0; i < count; ++i) {
+        const int id = order[i];
+        if (slot[id] != 0) continue;
+        const operation op = nodes[id].op;
+        if (op > operation::divide) {
+          put(id);
+          continue;
+        }
+        steps[next] = op;
+        a[next] = slot[nodes[id].a] - 1;
+        b[next] = op == operation::negate ? 0 : slot[nodes[id].b] - 1;
+        slot[id] = first_step_ + ++next;
+      }
+    } else {
+      for (int i = 0; i < count; ++i)
+        if (slot[order[i]] == 0) put(order[i]);
     }
   }
 
@@ -229,7 +241,7 @@ private:
 
   /// Adds a step and returns its slot.
   constexpr int step(operation op, int a, int b, bool is_paired = false) {
-    if constexpr (requires(Tape t) { t.steps.count; }) {
+    if constexpr (has_arrays) {
       constant_steps& all = tape_.steps;
       const int i = all.count++;
       all.op.elements<is_constant>()[i] = op;

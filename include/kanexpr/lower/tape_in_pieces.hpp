@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/lower/cuts.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/lockstep_tape.hpp>
@@ -58,20 +59,25 @@ class cuts_of {
     int solves[room(tape.sizes.steps)]{}, columns[room(tape.sizes.linear_steps)]{};
 
     constexpr arrays() {
-      const tape_view view(tape);
       const bool is_long = tape.sizes.steps > lengths_of<Code>.longest_uncut;
-      const cuts all = detail::cutting(view, tape.sizes.first_angle + 2 * tape.sizes.angles,
+      const cuts all = detail::cutting(tape, tape.sizes.first_angle + 2 * tape.sizes.angles,
                                        is_long ? lengths_of<Code>.piece : tape.sizes.steps)
                            .run();
       pieces = all.first.size() - 1, places = all.places;
       copy(all.first, first), copy(all.first_input, first_input), copy(all.first_operand, first_operand);
-      copy(all.first_linear, first_linear), copy(all.numbers, numbers), copy(all.inputs, inputs);
-      copy(all.a, a), copy(all.b, b), copy(all.operands, operands), copy(all.factors, factors);
-      copy(all.place, place), copy(all.solves, solves), copy(all.columns, columns);
+      copy(all.first_linear, first_linear), copy(all.numbers, numbers), copy(all.operands, operands);
+      copy(all.inputs, inputs, all.input_count), copy(all.factors, factors);
+      copy(all.a, a, tape.sizes.steps), copy(all.b, b, tape.sizes.steps);
+      copy(all.place, place, tape.slot_count()), copy(all.solves, solves), copy(all.columns, columns);
     }
     static constexpr void copy(const sequence<int>& from, int* to) {
       const int* const each = from.begin();
       for (int i = 0, end = from.size(); i < end; ++i) to[i] = each[i];
+    }
+    template <std::size_t room>
+    static constexpr void copy(const base::zeros<int>& from, int (&to)[room], int count) {
+      const auto& each = from.elements<true>();
+      for (int i = 0; i < count; ++i) to[i] = each[i];
     }
   };
 
