@@ -194,6 +194,7 @@ TEST(formulations, name_the_reason_why_one_does_not_apply) {
   builder without_motion("N");
   EXPECT_EQ(explain(without_motion).mistake, "the system has no generalized speeds");
   EXPECT_EQ(explain(without_motion).text(), "the system has no generalized speeds\n");
+  EXPECT_EQ(explain(plain, {.results = {}}).mistake, "the options of explain list no result");
 }
 
 TEST(formulations, have_no_negative_weights) {

@@ -43,6 +43,7 @@ public:
   explanation run() {
     if (options_.weights.is_negative_for_any())
       return {.mistake = "the options of explain give an operation a negative weight"};
+    if (options_.results.empty()) return {.mistake = "the options of explain list no result"};
     found_.mistake = form_({}, [&](mechanics::equations& e, const symbolic::cost& c) { look_at(e, c); });
     if (!found_.mistake.empty()) return found_;
     compare_solutions("", {});
