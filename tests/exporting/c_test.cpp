@@ -27,6 +27,9 @@
 #include <driven_wheel.h>
 #include <driven_wheel_in_float.h>
 #include <four_bar.h>
+#include <four_bar_in_float.h>
+#include <four_bar_in_pieces.h>
+#include <four_bar_in_pieces_in_float.h>
 #include <iiwa.h>
 #include <iiwa_in_float.h>
 #include <loaded_arm.h>
@@ -158,6 +161,35 @@ TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, bouncing_ball::System>(bouncing_ball_in_float_udot);
   expect_same_udot<float, motor_arm::System>(motor_arm_in_float_udot);
   expect_same_udot<float, loaded_arm::System>(loaded_arm_in_float_udot);
+}
+
+/// Compares A, B and the status of two functions.
+template <class Number, class Written>
+void expect_same_linearization(const Written& in_pieces, const Written& whole) {
+  constexpr std::size_t state_entries = four_bar_explicit_form_A_rows * four_bar_explicit_form_A_columns,
+                        input_entries = four_bar_explicit_form_B_rows * four_bar_explicit_form_B_columns;
+  calls<four_bar::System, Number> at;
+  for (int repetition = 0; repetition < 600; ++repetition) {
+    if (repetition < 200)
+      at.next();
+    else
+      at.next_extreme();
+    std::vector<Number> found(state_entries + input_entries, 7), expected = found;
+    const auto evaluated = [&](const Written& f, std::vector<Number>& into) {
+      return f(0, at.x.data(), at.p.data(), at.r.data(), into.data(), into.data() + state_entries);
+    };
+    ASSERT_EQ(evaluated(in_pieces, found), evaluated(whole, expected));
+    for (std::size_t i = 0; i < found.size(); ++i)
+      ASSERT_TRUE(bits(found[i]) == bits(expected[i]) || (std::isnan(found[i]) && std::isnan(expected[i])));
+  }
+}
+
+TEST(C, HasTheSameBitsInPieces) {
+  expect_same_udot<double, four_bar::System>(four_bar_in_pieces_udot);
+  expect_same_udot<float, four_bar::System>(four_bar_in_pieces_in_float_udot);
+  expect_same_linearization<double>(four_bar_in_pieces_explicit_form, four_bar_explicit_form);
+  expect_same_linearization<float>(four_bar_in_pieces_in_float_explicit_form,
+                                   four_bar_in_float_explicit_form);
 }
 
 /// Compares rates with interpreted ones where the state variables are positive, as the force of a tendon is.

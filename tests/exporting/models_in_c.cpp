@@ -236,6 +236,8 @@ int main(int, char** arguments) {
   c_options loaded; // rates, derivatives and steps of systems with loads
   loaded.with_python = true;
   loaded.functions = {results("udot"), results("explicit_form"), results("runge_kutta_4")};
+  c_options in_pieces;
+  in_pieces.lengths = {.longest = 100, .piece = 40};
   return is_bound_written && write_for_casadi(folder, {bound.bound, "ralston_3"}) &&
                  write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
@@ -246,6 +248,7 @@ int main(int, char** arguments) {
                  write<driven_wheel::System>(folder, "driven_wheel", loaded) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
+                 write<four_bar::System>(folder, "four_bar_in_pieces", in_pieces) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
                  write<curved::System>(folder, "curved", {}) &&
                  write<slewing_arm::System>(folder, "slewing_arm", {}) &&

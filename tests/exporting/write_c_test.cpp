@@ -59,6 +59,16 @@ TEST(WriteC, DerivesTheSystemOnce) {
   EXPECT_EQ(derivations, 1);
 }
 
+TEST(WriteC, DividesOnlyLongFunctions) {
+  const folder to;
+  ASSERT_TRUE(write_c<simple_pendulum::System>(to.path, "whole"));
+  ASSERT_TRUE(
+      write_c<simple_pendulum::System>(to.path, "divided", {.lengths = {.longest = 20, .piece = 12}}));
+  EXPECT_THAT(to.text_of("whole.c"), testing::Not(HasSubstr("piece")));
+  EXPECT_THAT(to.text_of("divided.c"),
+              HasSubstr("divided_PIECE void divided_explicit_form_piece_2(double t"));
+}
+
 TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("velocity")})), "there is no result velocity");
   EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "there is no result speeds");

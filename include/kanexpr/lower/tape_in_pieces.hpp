@@ -116,51 +116,48 @@ struct piece_extent {
   }
 };
 
-/// Whether other pieces read the value of each step of a piece, and its place in memory.
-template <int steps>
-struct destinations {
-  bool is_kept[static_cast<std::size_t>(steps)]{};
-  int place[static_cast<std::size_t>(steps)]{};
+/// A piece of a tape, with the members of a `fixed_tape` that its evaluation reads. What it has for each step
+/// remains in the arrays of the whole tape and of its cuts.
+template <tape_sizes own>
+struct tape_piece {
+  static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
+
+  tape_sizes sizes;
+  const operation* op;
+  const bool* paired;
+  const int *a, *b; ///< slots of the piece
+  const int* to;    ///< the place in memory where each step is stored; none if no other piece reads it
+  const int* operands;
+  const int* inputs; ///< slots of the whole tape, those of numbers first
+  const int* places; ///< of the slots of the whole tape
+  symbolic::number numbers[at_least_one(own.numbers)]{};
+  linear_step linear_steps[at_least_one(own.linear_steps)]{};
+  const symbolic::external_function* externals[at_least_one(own.externals)]{};
+
+  // the large arrays are arguments: in g++, each access to a constant by its name may copy it
+  template <class Tape, class Arrays>
+  constexpr tape_piece(const Tape& whole, const Arrays& cut, const piece_extent& extent)
+      : sizes(own), op(whole.op + extent.first), paired(whole.paired + extent.first), a(cut.a + extent.first),
+        b(cut.b + extent.first), to(cut.place + whole.first_step() + extent.first),
+        operands(cut.operands + extent.first_operand), inputs(cut.inputs + extent.first_input),
+        places(cut.place) {
+    for (int i = 0; i < own.numbers; ++i) numbers[i] = whole.numbers[inputs[i]];
+    for (int i = 0, next = 0; i < own.linear_steps; ++i) {
+      linear_step& e = linear_steps[i];
+      e = whole.linear_steps[extent.first_linear + i];
+      e.step -= extent.first;
+      e.factors = cut.factors[extent.first_linear + i];
+      e.operands = next;
+      next += e.inputs();
+    }
+    for (int i = 0; i < own.externals; ++i) externals[i] = whole.externals[i];
+  }
+
+  constexpr int first_step() const { return own.numbers + own.loads; }
+  constexpr int slot_count() const { return first_step() + own.steps; }
+  /// The place in memory of an input other than a number.
+  constexpr int place_of_load(int index) const { return places[inputs[own.numbers + index]]; }
 };
-
-// The large arrays are arguments: in g++, each access to a constant by its name may copy it.
-
-template <tape_sizes sizes, class Tape, class Arrays>
-constexpr fixed_tape<sizes> piece_of(const Tape& whole, const Arrays& cut, const piece_extent& extent) {
-  fixed_tape<sizes> piece{};
-  piece.sizes = sizes;
-  for (int i = 0, step = extent.first; i < sizes.steps; ++i, ++step) {
-    piece.op[i] = whole.op[step];
-    piece.paired[i] = whole.paired[step];
-    piece.a[i] = cut.a[step];
-    piece.b[i] = cut.b[step];
-  }
-  for (int i = 0; i < sizes.numbers; ++i)
-    piece.numbers[i] = whole.numbers[cut.inputs[extent.first_input + i]];
-  for (int i = 0; i < sizes.loads; ++i)
-    piece.loads[i].position = cut.place[cut.inputs[extent.first_input + sizes.numbers + i]];
-  for (int i = 0, operands = 0; i < sizes.linear_steps; ++i) {
-    linear_step& e = piece.linear_steps[i];
-    e = whole.linear_steps[extent.first_linear + i];
-    e.step -= extent.first;
-    e.factors = cut.factors[extent.first_linear + i];
-    e.operands = operands;
-    operands += e.inputs();
-  }
-  for (int i = 0; i < sizes.operands; ++i) piece.operands[i] = cut.operands[extent.first_operand + i];
-  for (int i = 0; i < sizes.externals; ++i) piece.externals[i] = whole.externals[i];
-  return piece;
-}
-
-template <int steps, class Arrays>
-constexpr destinations<steps> destinations_of(const Arrays& cut, int first_slot) {
-  destinations<steps> to;
-  for (int i = 0; i < steps; ++i) {
-    const int place = cut.place[first_slot + i];
-    if (place != cuts::none) to.is_kept[i] = true, to.place[i] = place;
-  }
-  return to;
-}
 
 /// A piece of the tape of `Code`, which reads and writes places in memory.
 template <class Code, int index>
@@ -169,10 +166,7 @@ private:
   static constexpr piece_extent extent{cuts_of<Code>::value, Code::tape.sizes, index};
 
 public:
-  static constexpr fixed_tape<extent.sizes> tape =
-      piece_of<extent.sizes>(Code::tape, cuts_of<Code>::value, extent);
-  static constexpr destinations<extent.sizes.steps> to =
-      destinations_of<extent.sizes.steps>(cuts_of<Code>::value, Code::tape.first_step() + extent.first);
+  static constexpr tape_piece<extent.sizes> tape{Code::tape, cuts_of<Code>::value, extent};
 };
 
 /// Evaluation of a long tape as several functions, because the time that a compiler needs to optimize a

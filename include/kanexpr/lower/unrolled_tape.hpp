@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/lower/long_lists.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/step_plan.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
@@ -26,9 +27,8 @@ public:
   /// `arguments(load)` returns the value of each load.
   template <class Arguments>
   [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
-    run(arguments, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{},
-        up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{},
-        up_to<tape.sizes.results>{});
+    run(arguments, up_to<tape.sizes.numbers>, up_to<plan.early_count>, up_to<first_angle>, up_to<angles>,
+        up_to<given_before>, up_to<2 * angles>, up_to<plan.entries>, up_to<tape.sizes.results>);
   }
 
   template <int index>
@@ -39,8 +39,8 @@ public:
   /// Evaluates a piece of a longer tape: the loads are places in `memory`, and steps whose values other
   /// pieces use store them at once, so that they need no register until the end.
   [[gnu::always_inline]] static void run_in(Number* memory) noexcept {
-    run_in(memory, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{},
-           up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{});
+    run_in(memory, up_to<tape.sizes.numbers>, up_to<plan.early_count>, up_to<first_angle>, up_to<angles>,
+           up_to<given_before>, up_to<2 * angles>, up_to<plan.entries>);
   }
 
 private:
@@ -48,17 +48,23 @@ private:
   static constexpr int first_angle = tape.sizes.first_angle, angles = tape.sizes.angles,
                        given_before = tape.sizes.numbers + plan.early_count + first_angle;
 
-  template <int count>
-  using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
   // consteval, because clang++ would otherwise load an index from the tape
-  static consteval int a(int entry) { return plan.a[entry]; }
-  static consteval int b(int entry) { return plan.b[entry]; }
-  static consteval int a_of_step(int step) { return plan.place[tape.a[step]]; }
-  static consteval int b_of_step(int step) { return plan.place[tape.b[step]]; }
-  static consteval int place_of(int result) { return plan.place[tape.results[result]]; }
-  static consteval load early(int index) { return tape.loads[plan.early[index]]; }
+  static consteval int a(int entry) { return plan.a[entry / row_length][entry % row_length]; }
+  static consteval int b(int entry) { return plan.b[entry / row_length][entry % row_length]; }
+  static consteval int what(int entry) { return plan.what[entry / row_length][entry % row_length]; }
+  static consteval int aside_of(int entry) { return plan.aside[entry / row_length][entry % row_length]; }
+  static consteval int a_of_step(int step) { return plan.place_of(tape.a[step]); }
+  static consteval int b_of_step(int step) { return plan.place_of(tape.b[step]); }
+  static consteval int place_of(int result) { return plan.place_of(tape.results[result]); }
+  static consteval load load_of(int index) {
+    if constexpr (requires { tape.loads; })
+      return tape.loads[index];
+    else // of a piece
+      return {{}, tape.place_of_load(index)};
+  }
+  static consteval load early(int index) { return load_of(plan.early[index]); }
 
   /// Numbers are passed by value, because a reference would require them to be in memory.
   using operand = std::conditional_t<std::is_arithmetic_v<Number>, Number, const Number&>;
@@ -67,12 +73,9 @@ private:
   /// may replace the function that it calls.
   template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
             int... turned, int... entry, int... result>
-  [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,
-                                  std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
-                                  std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
-                                  std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-                                  std::integer_sequence<int, entry...>,
-                                  std::integer_sequence<int, result...>) noexcept {
+  [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments, indices<number...>,
+                                  indices<load...>, indices<before...>, indices<angle...>, indices<known...>,
+                                  indices<turned...>, indices<entry...>, indices<result...>) noexcept {
     [[maybe_unused]] const Number given[at_least_one(given_before)] {
       number_as<Number>(tape.numbers[number])...,
       arguments.template operator()<early(load).from, early(load).position>()...,
@@ -86,23 +89,21 @@ private:
     [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
     [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
         given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-        take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
-                               plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
-                               plan.what[entry] < 0 ? slot : nullptr, &arguments)...};
+        take<what(entry)>(slot[a(entry)], slot[b(entry)],
+                          plan.uses_aside(what(entry)) ? aside + aside_of(entry) : nullptr,
+                          what(entry) < 0 ? slot : nullptr, &arguments)...};
     const int order[]{0, (result_[result] = slot[place_of(result)], 0)...};
     static_cast<void>(order);
   }
 
   template <int... number, int... load, int... before, int... angle, int... known, int... turned,
             int... entry>
-  [[gnu::always_inline]] static void
-  run_in(Number* memory, std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
-         std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
-         std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-         std::integer_sequence<int, entry...>) noexcept {
+  [[gnu::always_inline]] static void run_in(Number* memory, indices<number...>, indices<load...>,
+                                            indices<before...>, indices<angle...>, indices<known...>,
+                                            indices<turned...>, indices<entry...>) noexcept {
     const Number given[at_least_one(given_before)]{
         number_as<Number>(tape.numbers[number])..., memory[early(load).position]...,
-        kept<Code::to.is_kept[before]>(
+        kept<is_kept_step(before)>(
             apply<tape.op[before], Number>(given[a_of_step(before)], given[b_of_step(before)]),
             memory + place(before))...};
     const arguments_in_memory arguments{memory};
@@ -114,12 +115,12 @@ private:
     [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
     [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
         given[known]...,
-        kept<Code::to.is_kept[first_angle + turned]>((turned % 2 == 0 ? sine : cosine)[turned / 2],
-                                                     memory + place(first_angle + turned))...,
+        kept<is_kept_step(first_angle + turned)>((turned % 2 == 0 ? sine : cosine)[turned / 2],
+                                                 memory + place(first_angle + turned))...,
         kept<is_kept(entry)>(
-            take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
-                                   plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
-                                   plan.what[entry] < 0 ? slot : nullptr, &arguments),
+            take<what(entry)>(slot[a(entry)], slot[b(entry)],
+                              plan.uses_aside(what(entry)) ? aside + aside_of(entry) : nullptr,
+                              what(entry) < 0 ? slot : nullptr, &arguments),
             memory + place_of_entry(entry))...};
   }
 
@@ -133,11 +134,11 @@ private:
     }
   };
 
-  static consteval int place(int step) { return Code::to.place[step]; }
-  static consteval bool is_kept(int entry) {
-    return plan.step[entry] >= 0 && Code::to.is_kept[plan.step[entry]];
-  }
-  static consteval int place_of_entry(int entry) { return is_kept(entry) ? place(plan.step[entry]) : 0; }
+  static consteval bool is_kept_step(int step) { return tape.to[step] >= 0; }
+  static consteval int place(int step) { return is_kept_step(step) ? tape.to[step] : 0; }
+  static consteval int step_of(int entry) { return plan.step[entry / row_length][entry % row_length]; }
+  static consteval bool is_kept(int entry) { return step_of(entry) >= 0 && is_kept_step(step_of(entry)); }
+  static consteval int place_of_entry(int entry) { return is_kept(entry) ? place(step_of(entry)) : 0; }
 
   /// Returns the value of a step, and stores it if other pieces use it.
   template <bool is_stored>
@@ -152,7 +153,7 @@ private:
   take(operand a, [[maybe_unused]] operand b, [[maybe_unused]] Number* aside,
        [[maybe_unused]] const Number* slot, [[maybe_unused]] const Arguments* arguments) noexcept {
     if constexpr (what <= plan.first_argument) {
-      constexpr load from = tape.loads[plan.first_argument - what];
+      constexpr load from = load_of(plan.first_argument - what);
       return arguments->template operator()<from.from, from.position>();
     } else if constexpr (!plan.uses_aside(what)) {
       return apply<static_cast<operation>(what), Number>(a, b);
@@ -169,34 +170,32 @@ private:
   [[gnu::always_inline]] static void eliminate(Number* out, const Number* slot) noexcept {
     constexpr linear_step e = tape.linear_steps[index];
     if constexpr (e.op == operation::call) {
-      *out = call<index>(slot, up_to<e.order>{});
+      *out = call<index>(slot, up_to<e.order>);
     } else if constexpr (e.op == operation::singularity_measure) {
       Number squares[static_cast<std::size_t>(e.inputs())];
-      gather<e.operands>(squares, slot, up_to<e.inputs()>{});
-      *out =
-          unrolled_elimination<e.order, Number>::singularity_measure(slot + plan.place[e.factors], squares);
+      gather<e.operands>(squares, slot, up_to<e.inputs()>);
+      *out = unrolled_elimination<e.order, Number>::singularity_measure(slot + plan.place_of(e.factors),
+                                                                        squares);
     } else {
-      gather<e.operands>(out, slot, up_to<e.inputs()>{});
+      gather<e.operands>(out, slot, up_to<e.inputs()>);
       if constexpr (e.op == operation::factorization)
         unrolled_elimination<e.order, Number>::factorize(out);
       else if constexpr (e.op == operation::solve)
-        unrolled_elimination<e.order, Number>::solve(slot + plan.place[e.factors], out);
+        unrolled_elimination<e.order, Number>::solve(slot + plan.place_of(e.factors), out);
       else
-        unrolled_elimination<e.order, Number>::solve_transposed(slot + plan.place[e.factors], out);
+        unrolled_elimination<e.order, Number>::solve_transposed(slot + plan.place_of(e.factors), out);
     }
   }
 
   template <int step, int... index>
-  [[gnu::always_inline]] static Number call(const Number* slot,
-                                            std::integer_sequence<int, index...>) noexcept {
+  [[gnu::always_inline]] static Number call(const Number* slot, indices<index...>) noexcept {
     constexpr linear_step e = tape.linear_steps[step];
     using function = decltype(callable_of(symbolic::external_key<tape.externals[e.factors]>{}));
     return scalar_math<Number>::template called<function>(slot[plan.operands[e.operands + index]]...);
   }
 
   template <int begin, int... index>
-  [[gnu::always_inline]] static void gather(Number* out, const Number* slot,
-                                            std::integer_sequence<int, index...>) noexcept {
+  [[gnu::always_inline]] static void gather(Number* out, const Number* slot, indices<index...>) noexcept {
     const int order[]{(out[index] = slot[plan.operands[begin + index]], 0)...};
     static_cast<void>(order);
   }

@@ -40,7 +40,8 @@ inline constexpr std::string_view c_helpers = template_text(
 /// allocating memory.
 class c_file {
 public:
-  c_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
+  c_file(const exported_system& s, precision number, const function_lengths& allowed = {})
+      : mapped_(names_in_c(s)), number_(number), allowed_(allowed) {}
 
   std::string header() const {
     std::string text = fill_template(
@@ -157,13 +158,18 @@ private:
     return all;
   }
 
-  std::string signature(const exported_function& f) const {
+  std::string declared_arguments(const exported_function& f) const {
     const std::string number = number_.type();
-    std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(';
-    text += joined(arguments(f), ", ", [&](const std::string& each) {
+    return joined(arguments(f), ", ", [&](const std::string& each) {
       return each == "t" || each == "h" ? number + ' ' + each : "const " + number + " *" + each;
     });
-    for (const exported_result& each : f.results) text += ", " + number + " *" + each.name;
+  }
+
+  std::string signature(const exported_function& f) const {
+    std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(';
+    text += declared_arguments(f);
+    for (const exported_result& each : f.results)
+      text += std::string(", ") + number_.type() + " *" + each.name;
     return text + ')';
   }
 
@@ -184,10 +190,39 @@ private:
     return text;
   }
 
+  static std::string unused(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& each : names) text += "  (void)" + each + ";\n";
+    return text;
+  }
+
+  std::string name_of_piece(const exported_function& f, int index) const {
+    return name() + '_' + f.name + "_piece_" + std::to_string(index + 1);
+  }
+
+  std::string piece(const exported_function& f, code_writer& writer, int index) const {
+    std::vector<std::string> all = arguments(f);
+    all.emplace_back("memory");
+    return '\n' + name() + "_PIECE void " + name_of_piece(f, index) + '(' + declared_arguments(f) + ", " +
+           number_.type() + " *memory) {\n" + writer.piece(index) + unused(all) + "}\n";
+  }
+
+  std::string calls_of_pieces(const exported_function& f, const code_pieces& pieces) const {
+    if (pieces.count() == 0) return {};
+    std::string text = std::string("  ") + number_.type() + " memory[" +
+                       std::to_string((std::max)(pieces.places(), 1)) + "];\n";
+    for (int i = 0; i < pieces.count(); ++i)
+      text += "  " + name_of_piece(f, i) + '(' +
+              joined(arguments(f), ", ", [](const std::string& each) { return each; }) + ", memory);\n";
+    return text;
+  }
+
   std::string definition(const exported_function& f) const {
-    code_writer writer(f, system(), name(), number_);
-    std::string text = '\n' + signature(f) + " {\n" + writer.lines();
-    for (const std::string& each : arguments(f)) text += "  (void)" + each + ";\n";
+    code_writer writer(f, system(), name(), number_, allowed_);
+    std::string text;
+    for (int i = 0; i < writer.pieces().count(); ++i) text += piece(f, writer, i);
+    text += '\n' + signature(f) + " {\n" + calls_of_pieces(f, writer.pieces()) + writer.lines() +
+            unused(arguments(f));
     for (const exported_result& each : f.results)
       if (each.entries() == 0) text += "  (void)" + each.name + ";\n";
     for (const exported_result& each : f.results)
@@ -256,6 +291,7 @@ private:
     const bool turns = calls("sine_and_cosine"),
                chooses = calls("choose") || functions.find("_choose(") != functions.npos;
     std::string text;
+    if (bodies.find(name() + "_PIECE ") != bodies.npos) text += part("piece");
     if (turns || chooses || calls("is_infinite")) text += part("bits");
     if (turns) text += sine_and_cosine_in_c(name(), number_);
     if (chooses) text += part("choose");
@@ -267,6 +303,7 @@ private:
 
   system_with_c_names mapped_;
   scalar number_;
+  function_lengths allowed_;
 };
 
 /// Reports a number that is out of the range of the scalar type; empty if there is none.

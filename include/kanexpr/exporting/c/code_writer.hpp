@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/exporting/c/code_pieces.hpp>
 #include <kanexpr/exporting/exported_system.hpp>
 #include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
@@ -13,41 +14,68 @@
 
 namespace kanexpr::exporting {
 
-/// Writes the statements of a function in C, one operation per line.
+/// Writes the statements of a function in C, one operation per line. A long function is divided into pieces.
 class code_writer {
 public:
   /// `name` is the prefix of all names in the file.
   code_writer(const exported_function& of, const exported_system& system, std::string name,
-              const scalar& number)
-      : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
+              const scalar& number, const function_lengths& allowed)
+      : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number),
+        pieces_(of.code, allowed), lines_(static_cast<std::size_t>(of.code.lines.size())) {
     names_.reserve_words();
     names_.reserve_words_of_mathematics();
     names_.reserve("t x p r a w");
     if (of.takes_step) names_.reserve("h");
+    if (pieces_.count() > 0) names_.reserve("memory");
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
 
-  /// Returns all lines; `value` returns the names of their results. Each argument is read just before its
-  /// first use: compilers keep that order and would spill arguments that are read earlier.
-  std::string lines() {
+  const code_pieces& pieces() const { return pieces_; }
+
+  /// Returns the lines of a piece, which stores the values that other pieces need in the array `memory`. The
+  /// pieces must be written in their order.
+  std::string piece(int index) {
+    piece_ = index;
+    angles_.clear();
     std::string text;
-    const auto count = static_cast<std::size_t>(code_.lines.size());
-    values_.resize(count), unread_.resize(count);
-    for (int i = 0; i < code_.lines.size(); ++i) {
-      const std::string own = line(i);
-      text += read_for(code_.lines[i]) + own;
-    }
-    for (int each : code_.results) text += read(each); // before writing results, which may alias arguments
+    for (int i = pieces_.begin(index); i < pieces_.end(index); ++i) text += line_and_store(i);
     return text;
   }
 
-  const std::string& value(int place) const { return values_[static_cast<std::size_t>(place)]; }
+  /// Returns all lines, or only those that follow the pieces; `value` returns the names of their results.
+  /// Each argument is read just before its first use: compilers keep that order and would spill arguments
+  /// that are read earlier.
+  std::string lines() {
+    std::string text;
+    piece_ = pieces_.count();
+    if (piece_ == 0)
+      for (int i = 0; i < code_.lines.size(); ++i) text += line_and_store(i);
+    for (int each : code_.results) { // before writing results, which may alias arguments
+      if (pieces_.place(each) != code_pieces::none)
+        own(each).value = in_memory(each);
+      else
+        text += read(each);
+    }
+    return text;
+  }
+
+  const std::string& value(int line) const { return lines_[static_cast<std::size_t>(line)].value; }
 
 private:
   using kind = lower::statement::kind;
 
-  /// Returns the line that reads an argument, unless it has been read already.
-  std::string read(int place) { return std::exchange(unread_[static_cast<std::size_t>(place)], {}); }
+  /// What is known of a line: the name of its value, and the text that reads it from an argument or from
+  /// memory, unless the current piece has read it already.
+  struct known_line {
+    std::string value{}, reading{};
+    int read_by = -1; ///< the last piece that has read it
+  };
+  known_line& own(int line) { return lines_[static_cast<std::size_t>(line)]; }
+
+  std::string read(int line) {
+    known_line& one = own(line);
+    return std::exchange(one.read_by, piece_) == piece_ ? std::string() : one.reading;
+  }
 
   std::string read_for(const lower::statement& s) {
     if (s.is == kind::choice) return read(s.by) + read(s.a) + read(s.b);
@@ -55,25 +83,37 @@ private:
     return symbolic::is_binary(s.op) ? read(s.a) + read(s.b) : read(s.a);
   }
 
+  std::string in_memory(int line) const { return "memory[" + std::to_string(pieces_.place(line)) + ']'; }
+
+  std::string line_and_store(int i) {
+    const std::string text = line(i);
+    std::string all = read_for(code_.lines[i]) + text;
+    if (pieces_.place(i) == code_pieces::none) return all;
+    known_line& one = own(i);
+    one.reading = declared(one.value) + in_memory(i) + ";\n";
+    one.read_by = piece_;
+    return all + "  " + in_memory(i) + " = " + one.value + ";\n";
+  }
+
   std::string line(int i) {
     const lower::statement& s = code_.lines[i];
-    std::string& own = values_[static_cast<std::size_t>(i)];
+    std::string& value_of_line = own(i).value;
     if (s.is == kind::number) {
-      own = number_of(code_.numbers[s.a]);
+      value_of_line = number_of(code_.numbers[s.a]);
       return {};
     }
     if (s.is == kind::argument) {
-      unread_[static_cast<std::size_t>(i)] = argument(own, code_.arguments[s.a]);
+      own(i).reading = argument(value_of_line, code_.arguments[s.a]);
       return {};
     }
     if (s.is == kind::choice) {
-      own = next("v");
-      return declared(own) + name_ + "_choose(" + value(s.by) + ", " + value(s.a) + ", " + value(s.b) +
-             ");\n";
+      value_of_line = next("v");
+      return declared(value_of_line) + name_ + "_choose(" + value(s.by) + ", " + value(s.a) + ", " +
+             value(s.b) + ");\n";
     }
     if (s.op == symbolic::operation::sin || s.op == symbolic::operation::cos) return sine_or_cosine(i, s);
-    own = next("v");
-    return declared(own) + operation(s) + ";\n";
+    value_of_line = next("v");
+    return declared(value_of_line) + operation(s) + ";\n";
   }
 
   std::string next(const char* letter) { return names_.unique(letter + std::to_string(++count_)); }
@@ -127,12 +167,12 @@ private:
     const bool is_sine = s.op == symbolic::operation::sin;
     for (const angle& known : angles_)
       if (known.place == s.a) {
-        values_[static_cast<std::size_t>(i)] = is_sine ? known.sine : known.cosine;
+        own(i).value = is_sine ? known.sine : known.cosine;
         return {};
       }
     const angle one{s.a, next("s"), names_.unique("c" + std::to_string(count_))};
     angles_.push_back(one);
-    values_[static_cast<std::size_t>(i)] = is_sine ? one.sine : one.cosine;
+    own(i).value = is_sine ? one.sine : one.cosine;
     return std::string("  ") + number_.type() + ' ' + one.sine + ", " + one.cosine + ";\n  " + name_ +
            "_sine_and_cosine(" + value(s.a) + ", &" + one.sine + ", &" + one.cosine + ");\n";
   }
@@ -175,8 +215,9 @@ private:
   std::string name_;
   scalar number_;
   identifiers names_{};
-  std::vector<std::string> values_{}; ///< one for each line
-  std::vector<std::string> unread_{}; ///< lines that read arguments that have not been used yet
+  code_pieces pieces_;
+  std::vector<known_line> lines_;
+  int piece_ = 0; ///< the one that is being written
   std::vector<angle> angles_{};
   int count_ = 0;
 };

@@ -24,6 +24,7 @@ struct c_options {
   bool with_python = false; ///< also writes `name`.py, a module that calls the functions through ctypes
   bool with_cpp =
       false; ///< also writes `name`.hpp, which calls them from C++11 and later with the model's names
+  function_lengths lengths{}; ///< of functions, in lines; longer ones call functions for their pieces
 
   operator options() const { return {functions, bound}; }
 };
@@ -34,7 +35,7 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
   if (!of.mistake.empty()) return outcome(of.mistake);
   if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
     return outcome(mistake);
-  const c_file file(of.system, chosen.number);
+  const c_file file(of.system, chosen.number, chosen.lengths);
   std::vector<file_text> files{{folder / (of.system.name + ".h"), file.header()},
                                {folder / (of.system.name + ".c"), file.source()}};
   if (chosen.with_python)

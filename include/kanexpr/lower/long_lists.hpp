@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+/// Long lists while code is unrolled. For each array, and for each list of template arguments, that takes
+/// more than a page of memory, g++ searches the list of its free pages, of which there are several hundred
+/// thousand after a large model has been derived.
+namespace kanexpr::lower {
+
+/// The length of the rows into which arrays are divided.
+inline constexpr int row_length = 128;
+
+/// The number of rows for so many elements, at least one.
+constexpr std::size_t rows_for(int elements) {
+  return elements > row_length ? static_cast<std::size_t>((elements + row_length - 1) / row_length) : 1;
+}
+
+/// Numbers as template arguments. Only a null pointer is passed, because compilers would otherwise form a
+/// class of that many arguments.
+template <int... index>
+using indices = const std::integer_sequence<int, index...>*;
+
+/// The numbers from 0 to count − 1.
+template <int count>
+inline constexpr const std::make_integer_sequence<int, count>* up_to = nullptr;
+
+} // namespace kanexpr::lower
