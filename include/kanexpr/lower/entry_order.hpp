@@ -1,0 +1,215 @@
+#pragma once
+
+#include <kanexpr/base/zeros.hpp>
+#include <kanexpr/lower/lockstep_entries.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <cstdint>
+
+namespace kanexpr::lower::detail {
+
+/// Orders the entries of a function in lockstep so that few values are live simultaneously, by the rule of
+/// `step_order`: the entry that is the last use of the most values comes next and, of several, one after
+/// which such an entry becomes available. Values that are only stored come at once, and products that one sum
+/// uses precede it. The code runs only in constant evaluation, and accesses arrays directly.
+class entry_order {
+public:
+  /// Operands before `first_entry` are given.
+  constexpr entry_order(lockstep_entries& entries, int first_entry)
+      : entries_(entries), count_(entries.count), first_entry_(first_entry), words_(count_ / 64 + 1) {}
+  entry_order(const entry_order&) = delete;
+  entry_order& operator=(const entry_order&) = delete;
+
+  constexpr void run() {
+    join_products();
+    list_operands();
+    list_users();
+    count_gains();
+    for (int k = 0; k < count_; ++k) {
+      if (is_joined_[k] != 0) continue;
+      if (wait_[k] == 0) offer(k);
+      if (wait_[k] == 1) raise_missing_operand_of(k);
+    }
+    while (is_filled_ != 0) put(next_entry());
+    rearrange();
+  }
+
+private:
+  using array = int[base::zeros<int>::room];
+  static constexpr int none = -1, most_operands = 4, ranks = 2 * (most_operands + 2) + 1,
+                       of_stores = ranks - 1;
+
+  constexpr lockstep_action action(int entry) const { return lockstep_action::of(action_[entry]); }
+
+  /// Joins products to the only sum that uses them, if it is a vector too or a number too.
+  constexpr void join_products() {
+    for (int k = 0; k < count_; ++k)
+      for (const array* each : {&a_, &b_, &c_, &d_})
+        if (const int operand = (*each)[k] - first_entry_; operand >= 0) ++use_[operand];
+    for (int k = 0; k < count_; ++k) {
+      const lockstep_action sum = action(k);
+      if (sum.op != operation::add) continue;
+      for (const array* each : {&a_, &b_}) {
+        const int operand = (*each)[k] - first_entry_;
+        if (operand < 0 || use_[operand] != 1) continue;
+        const lockstep_action product = action(operand);
+        if (product.op != operation::multiply || product.is != sum.is || product.is_kept) continue;
+        is_joined_[operand] = 1;
+      }
+    }
+    for (int k = 0; k < count_; ++k) use_[k] = 0;
+  }
+
+  /// Lists the operands of every entry, including those of joined products, each value once.
+  constexpr void list_operands() {
+    for (int k = 0; k < count_; ++k) {
+      if (is_joined_[k] != 0) continue;
+      for (const array* each : {&a_, &b_, &c_, &d_}) {
+        const int operand = (*each)[k] - first_entry_;
+        if (operand < 0) continue;
+        if (is_joined_[operand] == 0) {
+          add_operand(k, operand);
+          continue;
+        }
+        if (a_[operand] >= first_entry_) add_operand(k, a_[operand] - first_entry_);
+        if (b_[operand] >= first_entry_) add_operand(k, b_[operand] - first_entry_);
+      }
+    }
+  }
+  constexpr void add_operand(int k, int operand) {
+    const int first = most_operands * k, end = first + operands_of_[k];
+    for (int i = first; i < end; ++i)
+      if (operand_[i] == operand) return;
+    operand_[end] = operand;
+    ++operands_of_[k];
+    ++use_[operand];
+    ++wait_[k];
+  }
+
+  constexpr void list_users() {
+    int sum = 0;
+    for (int k = 0; k < count_; ++k) first_user_[k] = sum += use_[k];
+    first_user_[count_] = sum;
+    for (int k = count_ - 1; k >= 0; --k)
+      for (int i = most_operands * k, end = i + operands_of_[k]; i < end; ++i)
+        user_[--first_user_[operand_[i]]] = k;
+  }
+
+  /// The gain of an entry is the number of values of which it is the last use, and one more if no other entry
+  /// uses its own.
+  constexpr void count_gains() {
+    for (int k = 0; k < count_; ++k) {
+      int gain = use_[k] > 0 ? 0 : 1;
+      for (int i = most_operands * k, end = i + operands_of_[k]; i < end; ++i)
+        if (use_[operand_[i]] == 1) ++gain;
+      gain_[k] = gain;
+    }
+  }
+
+  constexpr void offer(int k) {
+    const lockstep_action own = action(k);
+    const bool is_store = own.is == lockstep_action::kind::value && own.op == operation::negate;
+    const int rank = is_store ? of_stores : 2 * gain_[k] + prospect_[k], word = k / 64;
+    rank_[k] = rank + 1;
+    ready_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
+    if (filled_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
+    is_filled_ |= 1U << rank;
+  }
+  constexpr void withdraw(int k) {
+    const int rank = rank_[k] - 1;
+    rank_[k] = 0;
+    ready_[rank * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
+    if (--filled_[rank] == 0) is_filled_ &= ~(1U << rank);
+  }
+
+  constexpr int next_entry() {
+    const int best = 31 - __builtin_clz(is_filled_);
+    int word = first_[best];
+    while (ready_[best * words_ + word] == 0) ++word;
+    first_[best] = word;
+    const int k = 64 * word + __builtin_ctzll(ready_[best * words_ + word]);
+    withdraw(k);
+    return k;
+  }
+
+  constexpr void put(int k) {
+    for (const array* each : {&a_, &b_})
+      if (const int operand = (*each)[k] - first_entry_; operand >= 0 && is_joined_[operand] == 1) {
+        is_joined_[operand] = 2;
+        order_[ordered_++] = operand;
+      }
+    order_[ordered_++] = k;
+    is_done_[k] = 1;
+    for (int i = first_user_[k], end = first_user_[k + 1]; i < end; ++i) {
+      const int user = user_[i], missing = --wait_[user];
+      if (missing == 1) raise_missing_operand_of(user);
+      if (missing == 0) offer(user);
+    }
+    for (int i = most_operands * k, end = i + operands_of_[k]; i < end; ++i)
+      if (--use_[operand_[i]] == 1) favour_last_user_of(operand_[i]);
+  }
+
+  constexpr void favour_last_user_of(int of) {
+    int i = first_user_[of];
+    while (is_done_[user_[i]] != 0) ++i;
+    const int user = user_[i];
+    const bool is_offered = rank_[user] != 0;
+    if (is_offered) withdraw(user);
+    ++gain_[user];
+    if (is_offered)
+      offer(user);
+    else if (wait_[user] == 1)
+      raise_missing_operand_of(user);
+  }
+
+  /// Prefers the only operand for which an entry waits, if no value will be added.
+  constexpr void raise_missing_operand_of(int k) {
+    if (gain_[k] == 0) return;
+    int i = most_operands * k;
+    while (is_done_[operand_[i]] != 0) ++i;
+    const int operand = operand_[i];
+    if (prospect_[operand] != 0) return;
+    const bool is_offered = rank_[operand] != 0;
+    if (is_offered) withdraw(operand);
+    prospect_[operand] = 1;
+    if (is_offered) offer(operand);
+  }
+
+  constexpr void rearrange() {
+    base::zeros<int> places(count_), old(count_);
+    array &to = places.elements<true>(), &before = old.elements<true>();
+    for (int i = 0; i < count_; ++i) to[order_[i]] = i;
+    for (array* each : {&action_, &place_, &a_, &b_, &c_, &d_}) {
+      const bool names_entries = each != &action_ && each != &place_;
+      for (int k = 0; k < count_; ++k) before[k] = (*each)[k];
+      for (int k = 0; k < count_; ++k) {
+        const int value = before[k];
+        (*each)[to[k]] =
+            names_entries && value >= first_entry_ ? first_entry_ + to[value - first_entry_] : value;
+      }
+    }
+  }
+
+  lockstep_entries& entries_;
+  int count_, first_entry_, words_, ordered_ = 0;
+  base::zeros<int> uses_{count_}, waits_{count_}, gains_{count_}, prospects_{count_}, ranks_{count_},
+      joins_{count_}, done_{count_}, operand_counts_{count_}, operands_{most_operands * count_},
+      first_users_{count_ + 1}, users_{most_operands * count_}, orders_{count_};
+  base::zeros<std::uint64_t> ready_words_{ranks * words_};
+  int filled_[ranks]{}, first_[ranks]{};
+  unsigned is_filled_ = 0;
+  array &action_{entries_.action.elements<true>()}, &place_{entries_.place.elements<true>()},
+      &a_{entries_.a.elements<true>()}, &b_{entries_.b.elements<true>()}, &c_{entries_.c.elements<true>()},
+      &d_{entries_.d.elements<true>()};
+  array &use_{uses_.elements<true>()}, ///< remaining uses
+      &wait_{waits_.elements<true>()}, ///< operands not yet available
+      &gain_{gains_.elements<true>()}, &prospect_{prospects_.elements<true>()},
+      &rank_{ranks_.elements<true>()}, ///< of the entries that are ready, counted from 1
+      &is_joined_{joins_.elements<true>()}, &is_done_{done_.elements<true>()},
+      &operands_of_{operand_counts_.elements<true>()}, &operand_{operands_.elements<true>()},
+      &first_user_{first_users_.elements<true>()}, &user_{users_.elements<true>()},
+      &order_{orders_.elements<true>()};
+  std::uint64_t (&ready_)[base::zeros<std::uint64_t>::room]{ready_words_.elements<true>()};
+};
+
+} // namespace kanexpr::lower::detail
