@@ -59,6 +59,10 @@ private:
   static void check_result(const Result&, const State&, const Parameters&, const Inputs&) {
   } // results of an invalid call
 
+  /// Of a result with fewer entries, compilers omit what need not be checked, and keep the others in
+  /// registers.
+  static constexpr int fewest_entries = 256;
+
   /// Always checks every entry that can differ from zero, so that the time does not depend on the state.
   template <std::size_t index, class Matrix>
   [[gnu::always_inline]] static bool is_finite(const Matrix& m) {
@@ -69,7 +73,8 @@ private:
       for (Eigen::Index i = 0; i < m.size(); ++i)
         all = all & lower::scalar_math<Number>::is_finite(m.data()[i]);
       return all;
-    } else if constexpr (own::has_many_zeros(first, static_cast<int>(Matrix::SizeAtCompileTime))) {
+    } else if constexpr (Matrix::SizeAtCompileTime >= fewest_entries &&
+                         own::has_many_zeros(first, static_cast<int>(Matrix::SizeAtCompileTime))) {
       return !bits<Number>::carries(
           carries_in<bits<Number>>(m.data(), own::template nonzero_windows<Matrix, first>::value));
     } else {
