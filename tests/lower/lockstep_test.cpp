@@ -228,7 +228,7 @@ TEST(Lockstep, keeps_few_values_live) {
   static_assert(most_at_once(sum_of_products()) == 8);
   constexpr int most = [] {
     lower::lockstep_entries all = sum_of_products();
-    lower::detail::entry_order(all, 1).run();
+    lower::detail::entry_order(all, 1, 1).run();
     bool is_stored = false;
     for (int k = 0; k < all.count; ++k) is_stored = is_stored || all.place[k] == 20;
     return is_stored ? most_at_once(all) : -1;

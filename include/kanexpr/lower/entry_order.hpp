@@ -14,19 +14,21 @@ namespace kanexpr::lower::detail {
 /// uses precede it. The code runs only in constant evaluation, and accesses arrays directly.
 class entry_order {
 public:
-  /// Operands before `first_entry` are given.
-  constexpr entry_order(lockstep_entries& entries, int first_entry)
-      : entries_(entries), count_(entries.count), first_entry_(first_entry), words_(count_ / 64 + 1) {}
+  /// Operands before `first_entry` are given; the first of them are numbers.
+  constexpr entry_order(lockstep_entries& entries, int numbers, int first_entry)
+      : entries_(entries), count_(entries.count), numbers_(numbers), first_entry_(first_entry),
+        words_(count_ / 64 + 1) {}
   entry_order(const entry_order&) = delete;
   entry_order& operator=(const entry_order&) = delete;
 
   constexpr void run() {
+    put_constants();
     join_products();
     list_operands();
     list_users();
     count_gains();
     for (int k = 0; k < count_; ++k) {
-      if (is_joined_[k] != 0) continue;
+      if (mark_[k] != none) continue;
       if (wait_[k] == 0) offer(k);
       if (wait_[k] == 1) raise_missing_operand_of(k);
     }
@@ -36,10 +38,20 @@ public:
 
 private:
   using array = int[base::zeros<int>::room];
-  static constexpr int none = -1, most_operands = 4, ranks = 2 * (most_operands + 2) + 1,
-                       of_stores = ranks - 1;
+  static constexpr int none = 0, joined = 1, constant = 2, done = 3; ///< marks
+  static constexpr int most_operands = 4, ranks = 2 * (most_operands + 2) + 1, of_stores = ranks - 1;
 
   constexpr lockstep_action action(int entry) const { return lockstep_action::of(action_[entry]); }
+
+  /// Vectors of numbers come first; they remain in memory until they are used.
+  constexpr void put_constants() {
+    for (int k = 0; k < count_; ++k) {
+      if (action(k).is != lockstep_action::kind::gather) continue;
+      if (a_[k] >= numbers_ || b_[k] >= numbers_ || c_[k] >= numbers_ || d_[k] >= numbers_) continue;
+      mark_[k] = constant;
+      order_[ordered_++] = k;
+    }
+  }
 
   /// Joins products to the only sum that uses them, if it is a vector too or a number too.
   constexpr void join_products() {
@@ -54,7 +66,7 @@ private:
         if (operand < 0 || use_[operand] != 1) continue;
         const lockstep_action product = action(operand);
         if (product.op != operation::multiply || product.is != sum.is || product.is_kept) continue;
-        is_joined_[operand] = 1;
+        mark_[operand] = joined;
       }
     }
     for (int k = 0; k < count_; ++k) use_[k] = 0;
@@ -63,20 +75,21 @@ private:
   /// Lists the operands of every entry, including those of joined products, each value once.
   constexpr void list_operands() {
     for (int k = 0; k < count_; ++k) {
-      if (is_joined_[k] != 0) continue;
+      if (mark_[k] != none) continue;
       for (const array* each : {&a_, &b_, &c_, &d_}) {
         const int operand = (*each)[k] - first_entry_;
         if (operand < 0) continue;
-        if (is_joined_[operand] == 0) {
+        if (mark_[operand] != joined) {
           add_operand(k, operand);
           continue;
         }
-        if (a_[operand] >= first_entry_) add_operand(k, a_[operand] - first_entry_);
-        if (b_[operand] >= first_entry_) add_operand(k, b_[operand] - first_entry_);
+        add_operand(k, a_[operand] - first_entry_);
+        add_operand(k, b_[operand] - first_entry_);
       }
     }
   }
   constexpr void add_operand(int k, int operand) {
+    if (operand < 0 || mark_[operand] == constant) return;
     const int first = most_operands * k, end = first + operands_of_[k];
     for (int i = first; i < end; ++i)
       if (operand_[i] == operand) return;
@@ -134,12 +147,12 @@ private:
 
   constexpr void put(int k) {
     for (const array* each : {&a_, &b_})
-      if (const int operand = (*each)[k] - first_entry_; operand >= 0 && is_joined_[operand] == 1) {
-        is_joined_[operand] = 2;
+      if (const int operand = (*each)[k] - first_entry_; operand >= 0 && mark_[operand] == joined) {
+        mark_[operand] = done;
         order_[ordered_++] = operand;
       }
     order_[ordered_++] = k;
-    is_done_[k] = 1;
+    mark_[k] = done;
     for (int i = first_user_[k], end = first_user_[k + 1]; i < end; ++i) {
       const int user = user_[i], missing = --wait_[user];
       if (missing == 1) raise_missing_operand_of(user);
@@ -151,7 +164,7 @@ private:
 
   constexpr void favour_last_user_of(int of) {
     int i = first_user_[of];
-    while (is_done_[user_[i]] != 0) ++i;
+    while (mark_[user_[i]] == done) ++i;
     const int user = user_[i];
     const bool is_offered = rank_[user] != 0;
     if (is_offered) withdraw(user);
@@ -166,7 +179,7 @@ private:
   constexpr void raise_missing_operand_of(int k) {
     if (gain_[k] == 0) return;
     int i = most_operands * k;
-    while (is_done_[operand_[i]] != 0) ++i;
+    while (mark_[operand_[i]] == done) ++i;
     const int operand = operand_[i];
     if (prospect_[operand] != 0) return;
     const bool is_offered = rank_[operand] != 0;
@@ -191,10 +204,10 @@ private:
   }
 
   lockstep_entries& entries_;
-  int count_, first_entry_, words_, ordered_ = 0;
+  int count_, numbers_, first_entry_, words_, ordered_ = 0;
   base::zeros<int> uses_{count_}, waits_{count_}, gains_{count_}, prospects_{count_}, ranks_{count_},
-      joins_{count_}, done_{count_}, operand_counts_{count_}, operands_{most_operands * count_},
-      first_users_{count_ + 1}, users_{most_operands * count_}, orders_{count_};
+      marks_{count_}, operand_counts_{count_}, operands_{most_operands * count_}, first_users_{count_ + 1},
+      users_{most_operands * count_}, orders_{count_};
   base::zeros<std::uint64_t> ready_words_{ranks * words_};
   int filled_[ranks]{}, first_[ranks]{};
   unsigned is_filled_ = 0;
@@ -205,10 +218,9 @@ private:
       &wait_{waits_.elements<true>()}, ///< operands not yet available
       &gain_{gains_.elements<true>()}, &prospect_{prospects_.elements<true>()},
       &rank_{ranks_.elements<true>()}, ///< of the entries that are ready, counted from 1
-      &is_joined_{joins_.elements<true>()}, &is_done_{done_.elements<true>()},
-      &operands_of_{operand_counts_.elements<true>()}, &operand_{operands_.elements<true>()},
-      &first_user_{first_users_.elements<true>()}, &user_{users_.elements<true>()},
-      &order_{orders_.elements<true>()};
+      &mark_{marks_.elements<true>()}, &operands_of_{operand_counts_.elements<true>()},
+      &operand_{operands_.elements<true>()}, &first_user_{first_users_.elements<true>()},
+      &user_{users_.elements<true>()}, &order_{orders_.elements<true>()};
   std::uint64_t (&ready_)[base::zeros<std::uint64_t>::room]{ready_words_.elements<true>()};
 };
 

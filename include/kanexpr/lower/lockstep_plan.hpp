@@ -283,7 +283,7 @@ class lockstep_plan {
       const lockstep found = detail::lockstep_search(tape, branches, end).run();
       if (4 * found.count() * (found.lanes - 1) < end) return; // too few to pay
       lockstep_entries all = detail::lockstep_order(tape, found, given, end, Cuts::value.place).run();
-      detail::entry_order(all, tape.sizes.numbers + all.early.size() + given).run();
+      detail::entry_order(all, tape.sizes.numbers, tape.sizes.numbers + all.early.size() + given).run();
       lanes = found.lanes, entries = all.count, early_count = all.early.size();
       operations = all.operations, vector_operations = all.vector_operations;
       for (int i = 0; i < early_count; ++i) early[i] = all.early[i];
