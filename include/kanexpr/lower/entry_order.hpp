@@ -8,6 +8,12 @@
 
 namespace kanexpr::lower::detail {
 
+/// What the codes of all actions with a kind and an operation have in common: their remainder.
+inline constexpr int digits = 4 * 64;
+constexpr int code_of(lockstep_action::kind is, operation op) {
+  return lockstep_action{is, op}.code() % digits;
+}
+
 /// Orders the entries of a function in lockstep so that few values are live simultaneously, by the rule of
 /// `step_order`: the entry that is the last use of the most values comes next and, of several, one after
 /// which such an entry becomes available. Values that are only stored come at once, and products that one sum
@@ -32,7 +38,7 @@ public:
       if (wait_[k] == 0) offer(k);
       if (wait_[k] == 1) raise_missing_operand_of(k);
     }
-    while (is_filled_ != 0) put(next_entry());
+    put_all();
     rearrange();
   }
 
@@ -41,12 +47,17 @@ private:
   static constexpr int none = 0, joined = 1, constant = 2, done = 3; ///< marks
   static constexpr int most_operands = 4, ranks = 2 * (most_operands + 2) + 1, of_stores = ranks - 1;
 
-  constexpr lockstep_action action(int entry) const { return lockstep_action::of(action_[entry]); }
+  static constexpr int store = code_of(lockstep_action::kind::value, operation::negate),
+                       sum = code_of(lockstep_action::kind::value, operation::add),
+                       vector_sum = code_of(lockstep_action::kind::vector, operation::add),
+                       product = code_of(lockstep_action::kind::value, operation::multiply),
+                       vector_product = code_of(lockstep_action::kind::vector, operation::multiply),
+                       gather = code_of(lockstep_action::kind::gather, operation::constant), kept = 1 << 28;
 
   /// Vectors of numbers come first; they remain in memory until they are used.
   constexpr void put_constants() {
     for (int k = 0; k < count_; ++k) {
-      if (action(k).is != lockstep_action::kind::gather) continue;
+      if (action_[k] % digits != gather) continue;
       if (a_[k] >= numbers_ || b_[k] >= numbers_ || c_[k] >= numbers_ || d_[k] >= numbers_) continue;
       mark_[k] = constant;
       order_[ordered_++] = k;
@@ -59,13 +70,13 @@ private:
       for (const array* each : {&a_, &b_, &c_, &d_})
         if (const int operand = (*each)[k] - first_entry_; operand >= 0) ++use_[operand];
     for (int k = 0; k < count_; ++k) {
-      const lockstep_action sum = action(k);
-      if (sum.op != operation::add) continue;
+      const int own = action_[k] % digits;
+      if (own != sum && own != vector_sum) continue;
+      const int wanted = own == sum ? product : vector_product;
       for (const array* each : {&a_, &b_}) {
         const int operand = (*each)[k] - first_entry_;
         if (operand < 0 || use_[operand] != 1) continue;
-        const lockstep_action product = action(operand);
-        if (product.op != operation::multiply || product.is != sum.is || product.is_kept) continue;
+        if (action_[operand] % digits != wanted || action_[operand] >= kept) continue;
         mark_[operand] = joined;
       }
     }
@@ -100,9 +111,9 @@ private:
   }
 
   constexpr void list_users() {
-    int sum = 0;
-    for (int k = 0; k < count_; ++k) first_user_[k] = sum += use_[k];
-    first_user_[count_] = sum;
+    int place = 0;
+    for (int k = 0; k < count_; ++k) first_user_[k] = place += use_[k];
+    first_user_[count_] = place;
     for (int k = count_ - 1; k >= 0; --k)
       for (int i = most_operands * k, end = i + operands_of_[k]; i < end; ++i)
         user_[--first_user_[operand_[i]]] = k;
@@ -120,9 +131,7 @@ private:
   }
 
   constexpr void offer(int k) {
-    const lockstep_action own = action(k);
-    const bool is_store = own.is == lockstep_action::kind::value && own.op == operation::negate;
-    const int rank = is_store ? of_stores : 2 * gain_[k] + prospect_[k], word = k / 64;
+    const int rank = action_[k] % digits == store ? of_stores : 2 * gain_[k] + prospect_[k], word = k / 64;
     rank_[k] = rank + 1;
     ready_[rank * words_ + word] |= std::uint64_t{1} << (k % 64);
     if (filled_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
@@ -135,31 +144,39 @@ private:
     if (--filled_[rank] == 0) is_filled_ &= ~(1U << rank);
   }
 
-  constexpr int next_entry() {
-    const int best = 31 - __builtin_clz(is_filled_);
-    int word = first_[best];
-    while (ready_[best * words_ + word] == 0) ++word;
-    first_[best] = word;
-    const int k = 64 * word + __builtin_ctzll(ready_[best * words_ + word]);
-    withdraw(k);
-    return k;
-  }
-
-  constexpr void put(int k) {
-    for (const array* each : {&a_, &b_})
-      if (const int operand = (*each)[k] - first_entry_; operand >= 0 && mark_[operand] == joined) {
+  /// Puts the best entry that is ready, again and again, without calls, because compilers remember each.
+  constexpr void put_all() {
+    while (is_filled_ != 0) {
+      const int best = 31 - __builtin_clz(is_filled_);
+      int first_word = first_[best];
+      while (ready_[best * words_ + first_word] == 0) ++first_word;
+      first_[best] = first_word;
+      const std::uint64_t bits = ready_[best * words_ + first_word];
+      const int k = 64 * first_word + __builtin_ctzll(bits);
+      ready_[best * words_ + first_word] = bits & (bits - 1);
+      if (--filled_[best] == 0) is_filled_ &= ~(1U << best);
+      for (int side = 0; side < 2; ++side) {
+        const int operand = (side == 0 ? a_[k] : b_[k]) - first_entry_;
+        if (operand < 0 || mark_[operand] != joined) continue;
         mark_[operand] = done;
         order_[ordered_++] = operand;
       }
-    order_[ordered_++] = k;
-    mark_[k] = done;
-    for (int i = first_user_[k], end = first_user_[k + 1]; i < end; ++i) {
-      const int user = user_[i], missing = --wait_[user];
-      if (missing == 1) raise_missing_operand_of(user);
-      if (missing == 0) offer(user);
+      order_[ordered_++] = k;
+      mark_[k] = done;
+      for (int i = first_user_[k], end = first_user_[k + 1]; i < end; ++i) {
+        const int user = user_[i], missing = --wait_[user];
+        if (missing == 1 && gain_[user] > 0) raise_missing_operand_of(user);
+        if (missing != 0) continue;
+        const int rank = action_[user] % digits == store ? of_stores : 2 * gain_[user] + prospect_[user],
+                  word = user / 64;
+        rank_[user] = rank + 1;
+        ready_[rank * words_ + word] |= std::uint64_t{1} << (user % 64);
+        if (filled_[rank]++ == 0 || word < first_[rank]) first_[rank] = word;
+        is_filled_ |= 1U << rank;
+      }
+      for (int i = most_operands * k, end = i + operands_of_[k]; i < end; ++i)
+        if (--use_[operand_[i]] == 1) favour_last_user_of(operand_[i]);
     }
-    for (int i = most_operands * k, end = i + operands_of_[k]; i < end; ++i)
-      if (--use_[operand_[i]] == 1) favour_last_user_of(operand_[i]);
   }
 
   constexpr void favour_last_user_of(int of) {
