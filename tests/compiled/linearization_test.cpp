@@ -99,6 +99,30 @@ TEST(linearization, names_what_was_never_set) {
   EXPECT_FALSE(std::get<0>(lin::explicit_form(0.0, x, p, r)).status);
 }
 
+template <int width>
+constexpr bool windows_contain(unsigned pattern) {
+  constexpr int size = 29;
+  const auto is_in = [&](int i) { return (pattern >> i) % 2 != 0; };
+  const kanexpr::compiled::windows<size, width> found(is_in);
+  bool is_covered[size]{};
+  for (int k = 0; k < found.count; ++k) {
+    if (found.first[k] < 0 || found.first[k] + width > size) return false;
+    for (int i = 0; i < width; ++i) is_covered[found.first[k] + i] = true;
+  }
+  for (int i = 0; i < size; ++i)
+    if (is_in(i) && !is_covered[i]) return false;
+  return pattern != 0 || found.count == 0;
+}
+
+// Only the entries that can differ from zero are checked, several at a time.
+TEST(linearization, checks_every_entry_that_may_not_be_finite) {
+  for (const unsigned pattern : {0U, 1U, 1U << 28, 0x1fffffffU, 0x10204080U, 0x0f0f0f0fU, 0x15555555U}) {
+    EXPECT_TRUE(windows_contain<1>(pattern)) << pattern;
+    EXPECT_TRUE(windows_contain<4>(pattern)) << pattern;
+    EXPECT_TRUE(windows_contain<8>(pattern)) << pattern;
+  }
+}
+
 // M is returned but not solved with; the other matrices depend on u̇ and the multipliers.
 TEST(linearization, with_multipliers_tells_where_the_mass_matrix_is_singular) {
   namespace circle = pendulum_nonminimal;

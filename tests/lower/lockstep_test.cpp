@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -182,6 +183,58 @@ TEST(Lockstep, evaluates_most_steps_of_four_mirrored_branches_together) {
   EXPECT_EQ(plan.lanes, 4);
   EXPECT_GT(plan.vector_operations, 45);
   EXPECT_LT(3 * plan.operations, 2 * (lower::cuts_of<code<4, 0>>::value.first[1]));
+}
+
+/// Arguments 0 to 7, products 8 to 11 of two each, their sum, which is stored, and a last use of argument 7.
+constexpr lower::lockstep_entries sum_of_products() {
+  using action = lower::lockstep_action;
+  using kind = action::kind;
+  lower::lockstep_entries all(20);
+  const auto add = [&](action what, int a, int b, int place) {
+    all.action[all.count] = what.code();
+    all.place[all.count] = place;
+    all.a[all.count] = a, all.b[all.count] = b;
+    return ++all.count; // entry 0 precedes these
+  };
+  for (int i = 0; i < 8; ++i) add({kind::argument}, 0, 0, i);
+  for (int i = 0; i < 4; ++i) add({kind::value, symbolic::operation::multiply}, 2 * i + 1, 2 * i + 2, 0);
+  const int left = add({kind::value, symbolic::operation::add}, 9, 10, 0),
+            right = add({kind::value, symbolic::operation::add}, 11, 12, 0),
+            sum = add({kind::value, symbolic::operation::add}, left, right, 0);
+  add({kind::value, symbolic::operation::negate}, sum, 0, 20);
+  add({kind::value, symbolic::operation::add, {}, {}, 0, 0, true}, 8, 8, 21);
+  return all;
+}
+
+/// The number of values that are live at once at most, or −1 if an operand follows its use.
+constexpr int most_at_once(const lower::lockstep_entries& all) {
+  int last_use[20]{}, live = 0, most = 0;
+  const auto operands = [&](int k) { return std::array{all.a[k] - 1, all.b[k] - 1}; };
+  for (int k = 0; k < all.count; ++k)
+    for (const int each : operands(k)) {
+      if (each >= k) return -1;
+      if (each >= 0) last_use[each] = k;
+    }
+  for (int k = 0; k < all.count; ++k) {
+    for (int i = 0; i < k; ++i)
+      if (last_use[i] == k) --live;
+    if (last_use[k] > k) ++live;
+    if (most < live) most = live;
+  }
+  return most;
+}
+
+TEST(Lockstep, keeps_few_values_live) {
+  static_assert(most_at_once(sum_of_products()) == 8);
+  constexpr int most = [] {
+    lower::lockstep_entries all = sum_of_products();
+    lower::detail::entry_order(all, 1, 1).run();
+    bool is_stored = false;
+    for (int k = 0; k < all.count; ++k) is_stored = is_stored || all.place[k] == 20;
+    return is_stored ? most_at_once(all) : -1;
+  }();
+  EXPECT_GT(most, 0);
+  EXPECT_LE(most, 5);
 }
 
 TEST(Lockstep, requires_equal_branches) {

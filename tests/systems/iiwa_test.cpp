@@ -5,6 +5,8 @@
 #include <kanexpr/batch.hpp>
 #include <models/iiwa.hpp>
 
+#include <limits>
+
 namespace {
 
 using system = iiwa::System;
@@ -33,6 +35,16 @@ TEST(iiwa, is_linearized_about_several_states_at_a_time) {
     EXPECT_EQ(two::get(B, lane), own_B);
     EXPECT_EQ(own_A, interpreted(two::get(x, lane), kanexpr::parameter_values<system>(), two::get(r, lane)));
   }
+  // more than half of the entries are zero; the others are checked
+  int failures = 0;
+  for (int i = 0; i < x.size(); ++i) {
+    auto broken = two::get(x, 0);
+    broken(i) = std::numeric_limits<double>::infinity();
+    const auto own_A = std::get<0>(linear::explicit_form(broken, {}, two::get(r, 0)));
+    EXPECT_EQ(static_cast<bool>(own_A.status), own_A.allFinite()) << i;
+    failures += own_A.status ? 0 : 1;
+  }
+  EXPECT_EQ(failures, 12); // the first and the last joint may take any angle
 }
 
 } // namespace

@@ -9,11 +9,13 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/windows.hpp>
 #include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/tape_in_pieces.hpp>
+#include <kanexpr/lower/vector_columns.hpp>
 #include <kanexpr/numeric/fixed_matrix.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -249,17 +251,6 @@ private:
     }
   }
 
-  /// Whether an entry is zero in every state.
-  static constexpr bool is_zero(int entry) {
-    const int slot = code::tape.results[entry];
-    return slot < code::tape.sizes.numbers && code::tape.numbers[slot].is_zero();
-  }
-  static consteval bool has_many_zeros(int first, int count) {
-    constexpr int fewest = 32; // fewer are stored one by one, which allows compilers to omit all of them
-    int zeros = 0;
-    for (int i = 0; i < count; ++i) zeros += is_zero(first + i) ? 1 : 0;
-    return zeros >= fewest && 2 * zeros >= count;
-  }
   /// The entries of a result that are not zero in every state.
   template <int first, int count>
   class nonzero_entries {
@@ -309,13 +300,6 @@ private:
     entry = done.template result<index>();
   }
 
-  static constexpr int first_of(std::size_t which) {
-    const derivation::extent sizes[]{compiled::extent_of<wanted, System>...};
-    int first = 0;
-    for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
-    return first;
-  }
-
   /// Writes in place, because results as large as the derivatives of an arm should not be copied.
   template <bool with_statuses, class Number, class Done, std::size_t... index>
   [[gnu::always_inline]] static auto collect_all(const Done& done, std::index_sequence<index...>) noexcept {
@@ -341,6 +325,37 @@ private:
   }
 
 protected:
+  static constexpr int first_of(std::size_t which) {
+    const derivation::extent sizes[]{compiled::extent_of<wanted, System>...};
+    int first = 0;
+    for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
+    return first;
+  }
+
+  /// Whether an entry is zero in every state.
+  static constexpr bool is_zero(int entry) {
+    const int slot = code::tape.results[entry];
+    return slot < code::tape.sizes.numbers && code::tape.numbers[slot].is_zero();
+  }
+  static consteval bool has_many_zeros(int first, int count) {
+    constexpr int fewest = 32; // fewer are stored one by one, which allows compilers to omit all of them
+    int zeros = 0;
+    for (int i = 0; i < count; ++i) zeros += is_zero(first + i) ? 1 : 0;
+    return zeros >= fewest && 2 * zeros >= count;
+  }
+
+  /// Windows as wide as a register that contain the entries of a matrix that can differ from zero.
+  template <class Matrix, int first>
+  struct nonzero_windows {
+    static constexpr int rows = static_cast<int>(Matrix::RowsAtCompileTime),
+                         columns = static_cast<int>(Matrix::ColsAtCompileTime);
+    static constexpr compiled::windows<rows * columns, lower::lanes_for_columns<typename Matrix::Scalar>()>
+        value{[](int i) {
+          const int entry = Matrix::IsRowMajor ? i : i % rows * columns + i / rows;
+          return !is_zero(first + entry);
+        }};
+  };
+
   /// Returns the results, each with a status if requested, even if no equations had to be solved.
   template <bool with_statuses, class First, class... More>
   [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
+#include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/linked_model.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/status.hpp>
@@ -36,10 +37,16 @@ void flag_if_not_finite(std::tuple<Number...>& results) {
   std::apply([](auto&... each) { (flag_if_not_finite(each), ...); }, results);
 }
 
+/// Whether a function checks by itself that its results are finite.
+template <class Function>
+inline constexpr bool checks_finiteness = false;
+template <class System, auto... wanted>
+inline constexpr bool checks_finiteness<finite_function<System, wanted...>> = true;
+
 /// The results that the library of a model returns.
-template <class Number, class Results>
+template <class Number, class Function, class Results>
 Results told(Results results) {
-  if constexpr (std::is_same_v<Number, double>)
+  if constexpr (std::is_same_v<Number, double> && !checks_finiteness<Function>)
     flag_if_not_finite(results); // other scalar types are used for numerical derivatives
   return results;
 }
@@ -84,7 +91,7 @@ Results results_or_reason(const Given&... given) noexcept {
     set_unavailable(none, kanexpr::status(unavailable<Function>::why.view()));
     return none;
   } else {
-    return told<Number>(results_of<Results, Function>(given...));
+    return told<Number, Function>(results_of<Results, Function>(given...));
   }
 }
 

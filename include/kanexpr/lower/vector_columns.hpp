@@ -67,8 +67,12 @@ class column_plan {
   struct arrays {
     numeric::column_step steps[static_cast<std::size_t>(system.order * system.order)]{};
     int count = 0;
-    bool is_given[static_cast<std::size_t>(system.order)]{};  ///< whether a row of B differs from zero
-    bool is_filled[static_cast<std::size_t>(system.order)]{}; ///< whether a row of X does
+    bool is_given[static_cast<std::size_t>(system.order)]{}; ///< whether a row of B differs from zero
+    /// Whether a step is the first one that needs the row `to`, or `from`, of B, and whether it completes a
+    /// row of X.
+    bool loads_to[static_cast<std::size_t>(system.order * system.order)]{},
+        loads_from[static_cast<std::size_t>(system.order * system.order)]{},
+        completes[static_cast<std::size_t>(system.order * system.order)]{};
 
     constexpr arrays() {
       const numeric::column_steps all = column_steps_of(tape_view(tape), system);
@@ -76,7 +80,19 @@ class column_plan {
         steps[count] = s;
         steps[count++].factor = tape.operands[system.operands + s.factor];
       }
-      for (int i = 0; i < system.order; ++i) is_filled[i] = all.filled[i] != 0;
+      bool is_loaded[static_cast<std::size_t>(system.order)]{},
+          is_complete[static_cast<std::size_t>(system.order)]{};
+      for (int i = 0; i < count; ++i) {
+        const numeric::column_step s = steps[i];
+        loads_from[i] = !is_loaded[s.from];
+        is_loaded[s.from] = true;
+        loads_to[i] = !is_loaded[s.to] && !s.fills;
+        is_loaded[s.to] = true;
+      }
+      for (int i = count - 1; i >= 0; --i) {
+        completes[i] = !is_complete[steps[i].to];
+        is_complete[steps[i].to] = true;
+      }
       const int zero = slot_of_zero(tape_view(tape));
       for (int i = 0; i < system.order * system.factors; ++i)
         if (tape.operands[system.operands + factors + i] != zero) is_given[i / system.factors] = true;
@@ -106,8 +122,11 @@ class vector_columns {
 public:
   [[gnu::noinline]] static void run(Number* memory) noexcept {
     complete(memory, up_to<plan::order * columns_taken>{});
-    for (int column = 0; column < columns_taken; column += at_once)
-      solve(memory, memory + first + column, up_to<plan::order>{}, up_to<plan::count>{});
+    constexpr int pair = 2 * at_once, in_pairs = columns_taken / pair * pair;
+    for (int column = 0; column < in_pairs; column += pair)
+      solve<2>(memory, memory + first + column, up_to<plan::count>{});
+    if constexpr (in_pairs != columns_taken)
+      solve<1>(memory, memory + first + in_pairs, up_to<plan::count>{});
   }
 
 private:
@@ -149,40 +168,41 @@ private:
       return memory[Places::of(slot)];
   }
 
-  template <int... row, int... step>
+  /// Solves for one vector of columns or, to hide the latency of operations, for two.
+  template <int vectors, int... step>
   [[gnu::always_inline]] static void solve(const Number* memory, Number* x,
-                                           std::integer_sequence<int, row...>,
                                            std::integer_sequence<int, step...>) noexcept {
-    vector rows[static_cast<std::size_t>(plan::order)];
-    const int order[]{(load<row>(x, rows), 0)..., (take<step>(memory, rows), 0)...,
-                      (store<row>(x, rows), 0)...};
+    vector rows[static_cast<std::size_t>(vectors * plan::order)];
+    const int order[]{(take<vectors, step>(memory, x, rows), 0)...};
     static_cast<void>(order);
   }
-  template <int row>
-  [[gnu::always_inline]] static void load([[maybe_unused]] const Number* x,
-                                          [[maybe_unused]] vector* rows) noexcept {
-    if constexpr (plan::value.is_given[row])
-      rows[row] = *reinterpret_cast<const vector_in_memory*>(x + row * stride);
+  template <int vectors, int step>
+  [[gnu::always_inline]] static void take(const Number* memory, Number* x, vector* rows) noexcept {
+    const Number factor = value_of<plan::value.steps[step].factor>(memory);
+    take_one<step>(factor, x, rows);
+    if constexpr (vectors == 2) take_one<step>(factor, x + at_once, rows + plan::order);
   }
-  template <int row>
-  [[gnu::always_inline]] static void store([[maybe_unused]] Number* x,
-                                           [[maybe_unused]] const vector* rows) noexcept {
-    if constexpr (plan::value.is_filled[row])
-      *reinterpret_cast<vector_in_memory*>(x + row * stride) = rows[row];
-  }
+  /// Reads a row when it is first needed and stores it when it is complete, so that it occupies a register
+  /// between only.
   template <int step>
-  [[gnu::always_inline]] static void take(const Number* memory, vector* rows) noexcept {
+  [[gnu::always_inline]] static void take_one(Number factor, Number* x, vector* rows) noexcept {
 #if defined(__clang__) && !defined(KANEXPR_NO_FUSING)
 #pragma clang fp contract(fast)
 #endif
     constexpr numeric::column_step s = plan::value.steps[step];
-    const Number factor = value_of<s.factor>(memory);
+    if constexpr (plan::value.loads_from[step]) rows[s.from] = *in_memory<s.from>(x);
+    if constexpr (plan::value.loads_to[step]) rows[s.to] = *in_memory<s.to>(x);
     if constexpr (s.is_pivot())
       rows[s.to] = vector(rows[s.from] * factor);
     else if constexpr (s.fills)
       rows[s.to] = vector(-vector(factor * rows[s.from]));
     else
       rows[s.to] = vector(rows[s.to] - vector(factor * rows[s.from]));
+    if constexpr (plan::value.completes[step]) *in_memory<s.to>(x) = rows[s.to];
+  }
+  template <int row>
+  [[gnu::always_inline]] static vector_in_memory* in_memory(Number* x) noexcept {
+    return reinterpret_cast<vector_in_memory*>(x + row * stride);
   }
 };
 
