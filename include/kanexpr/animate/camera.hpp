@@ -3,7 +3,7 @@
 #include <kanexpr/animate/about_axis.hpp>
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/check_animation.hpp>
-#include <kanexpr/animate/path_of_cable.hpp>
+#include <kanexpr/animate/line_of_cable.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/animate/undeformed_placements.hpp>
 #include <kanexpr/base/status.hpp>

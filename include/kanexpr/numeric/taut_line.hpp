@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/numeric/parts_on_surface.hpp>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -33,9 +35,6 @@ struct wrapped_surface {
 
   bool touches_always() const { return first_is_on_surface && last_is_on_surface; }
 };
-
-/// The number of parts into which the line on a surface is divided.
-inline constexpr std::size_t parts_on_surface = 12;
 
 namespace detail {
 

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
+#include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
@@ -130,6 +131,7 @@ kanexpr::status checked_code<Scalar>::status() const {
 #if defined KANEXPR_COMPILED_ENGINE
 extern template class interpreter<double>;
 extern template class interpreter<float>;
+extern template class interpreter<double, lower::tape_view>;
 extern template class checked_code<double>;
 extern template class checked_code<float>;
 #endif

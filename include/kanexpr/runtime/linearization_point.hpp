@@ -1,10 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/engine.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
-#include <algorithm>
 #include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <variant>
 #include <vector>
@@ -40,31 +42,18 @@ public:
     point_value value;
   };
 
-  linearization_point() = default;
-  linearization_point(std::initializer_list<entry> entries) {
-    for (const entry& e : entries) {
-      const std::size_t known = entries_.size();
-      set(e.what, e.value);
-      if (entries_.size() == known) duplicates_.push_back(e.what);
-    }
-  }
+  linearization_point();
+  linearization_point(std::initializer_list<entry> entries);
+  linearization_point(const linearization_point&);
+  linearization_point(linearization_point&&) noexcept;
+  linearization_point& operator=(const linearization_point&);
+  linearization_point& operator=(linearization_point&&) noexcept;
+  ~linearization_point();
 
-  linearization_point& set(const symbol_name& what, const point_value& value) {
-    const auto known = std::ranges::find(entries_, what, &entry::what);
-    if (known != entries_.end())
-      known->value = value;
-    else
-      entries_.push_back({what, value});
-    return *this;
-  }
+  linearization_point& set(const symbol_name& what, const point_value& value);
 
   /// Merges both sets of values; if both name a symbol, the value of `other` is used.
-  linearization_point with(const linearization_point& other) const {
-    linearization_point both = *this;
-    for (const entry& e : other.entries_) both.set(e.what, e.value);
-    both.duplicates_.insert(both.duplicates_.end(), other.duplicates_.begin(), other.duplicates_.end());
-    return both;
-  }
+  linearization_point with(const linearization_point& other) const;
 
   const std::vector<entry>& entries() const { return entries_; }
   /// The symbols that a list names twice, which is a mistake.
@@ -75,4 +64,16 @@ private:
   std::vector<symbol_name> duplicates_{};
 };
 
+namespace runtime {
+
+/// Returns the point at a time and the values [q; u; p; r] of all symbols of a system.
+KANEXPR_ENGINE linearization_point point_with(const derivation::survey& known, double t,
+                                              const double* values);
+
+} // namespace runtime
+
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/runtime/linearization_point.ipp>
+#endif

@@ -77,13 +77,7 @@ public:
   const std::vector<residual>& residuals() const { return residuals_; }
 
   /// Converts to the point at which a run-time model is linearized.
-  operator linearization_point() const {
-    linearization_point point;
-    point.set(time_variable(), t);
-    const Eigen::VectorXd values = all();
-    for (int i = 0; i < known.symbols(); ++i) point.set(known.names[i].view(), values(i));
-    return point;
-  }
+  operator linearization_point() const { return runtime::point_with(known, t, all().data()); }
 
 private:
   static constexpr const derivation::survey& known = compiled::survey_of<System>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulations/inputs/prescribed_rates.hpp>
+#include <kanexpr/simulations/inputs/has_prescribed_rates.hpp>
 #include <kanexpr/simulations/simulation.hpp>
 #include <kanexpr/simulations/system_interface.hpp>
 

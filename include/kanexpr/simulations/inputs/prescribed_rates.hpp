@@ -3,6 +3,7 @@
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/simulations/inputs/has_prescribed_rates.hpp>
 #include <kanexpr/simulations/settings.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -20,14 +21,6 @@ namespace kanexpr::simulations {
 
 /// Evaluates the inputs at a time; returns whether that succeeded.
 using inputs_at_times = std::function<bool(double t, double* r)>;
-
-/// Whether rates of prescribed quantities are among the inputs.
-constexpr bool has_prescribed_rates(const derivation::survey& known) {
-  const int first = known.first_of(symbolic::symbol_kind::input);
-  for (int i = 0; i < known.inputs; ++i)
-    if (known.names[first + i].view().ends_with('\'')) return true;
-  return false;
-}
 
 /// The indices of a prescribed quantity and of its rate among the inputs.
 struct rate_pair {
