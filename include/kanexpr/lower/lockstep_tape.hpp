@@ -2,12 +2,12 @@
 
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/lockstep_plan.hpp>
+#include <kanexpr/lower/long_lists.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/vector_columns.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cstddef>
-#include <utility>
 
 namespace kanexpr::lower {
 
@@ -21,8 +21,8 @@ class lockstep_tape {
 
 public:
   [[gnu::always_inline]] static void run_in(Number* memory) noexcept {
-    run(memory, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{}, up_to<angles>{},
-        up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{});
+    run(memory, up_to<tape.sizes.numbers>, up_to<plan.early_count>, up_to<first_angle>, up_to<angles>,
+        up_to<given_before>, up_to<2 * angles>, up_to<plan.entries>);
   }
 
 private:
@@ -30,8 +30,6 @@ private:
                        given_before = tape.sizes.numbers + plan.early_count + first_angle,
                        first_entry = given_before + 2 * angles;
 
-  template <int count>
-  using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
   /// A vector, or a number in its first lane; which of them is known for each entry.
@@ -69,11 +67,9 @@ private:
 
   template <int... number, int... load, int... before, int... angle, int... known, int... turned,
             int... entry>
-  [[gnu::always_inline]] static void
-  run(Number* memory, std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
-      std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
-      std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-      std::integer_sequence<int, entry...>) noexcept {
+  [[gnu::always_inline]] static void run(Number* memory, indices<number...>, indices<load...>,
+                                         indices<before...>, indices<angle...>, indices<known...>,
+                                         indices<turned...>, indices<entry...>) noexcept {
     const Number given[at_least_one(given_before)]{
         number_as<Number>(tape.numbers[number])..., memory[place_of_early(load)]...,
         kept<is_kept(before)>(

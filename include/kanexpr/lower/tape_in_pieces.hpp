@@ -8,6 +8,7 @@
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/lower/vector_columns.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cstddef>

@@ -9,7 +9,6 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <type_traits>
-#include <utility>
 
 namespace kanexpr::lower {
 

@@ -2,13 +2,13 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/lower/long_lists.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/numeric/symmetric_columns.hpp>
 
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 namespace kanexpr::lower {
 
@@ -121,25 +121,21 @@ class vector_columns {
 
 public:
   [[gnu::noinline]] static void run(Number* memory) noexcept {
-    complete(memory, up_to<plan::order * columns_taken>{});
+    complete(memory, up_to<plan::order * columns_taken>);
     constexpr int pair = 2 * at_once, in_pairs = columns_taken / pair * pair;
     for (int column = 0; column < in_pairs; column += pair)
-      solve<2>(memory, memory + first + column, up_to<plan::count>{});
-    if constexpr (in_pairs != columns_taken)
-      solve<1>(memory, memory + first + in_pairs, up_to<plan::count>{});
+      solve<2>(memory, memory + first + column, up_to<plan::count>);
+    if constexpr (in_pairs != columns_taken) solve<1>(memory, memory + first + in_pairs, up_to<plan::count>);
   }
 
 private:
-  template <int count>
-  using up_to = std::make_integer_sequence<int, count>;
-
   /// Entries of B that are already in place.
   static constexpr int none = -1;
+  static constexpr int zero = slot_of_zero(tape_view(Code::tape));
   /// The slot from which an entry of B must be copied; none if it is in place or in a row of zeros.
   static consteval int copied_from(int entry) {
     const int row = entry / columns_taken, column = entry % columns_taken;
     if (!plan::value.is_given[row]) return none;
-    const int zero = slot_of_zero(tape_view(Code::tape));
     const int slot = column < plan::columns ? Code::tape.operands[plan::right + row * plan::columns + column]
                      : zero >= 0            ? zero
                                             : 0; // any number: the columns behind the last one are not used
@@ -150,8 +146,7 @@ private:
   }
 
   template <int... entry>
-  [[gnu::always_inline]] static void complete([[maybe_unused]] Number* memory,
-                                              std::integer_sequence<int, entry...>) noexcept {
+  [[gnu::always_inline]] static void complete([[maybe_unused]] Number* memory, indices<entry...>) noexcept {
     const int order[]{(copy<copied_from(entry)>(memory, memory + place(entry)), 0)...};
     static_cast<void>(order);
   }
@@ -170,8 +165,7 @@ private:
 
   /// Solves for one vector of columns or, to hide the latency of operations, for two.
   template <int vectors, int... step>
-  [[gnu::always_inline]] static void solve(const Number* memory, Number* x,
-                                           std::integer_sequence<int, step...>) noexcept {
+  [[gnu::always_inline]] static void solve(const Number* memory, Number* x, indices<step...>) noexcept {
     vector rows[static_cast<std::size_t>(vectors * plan::order)];
     const int order[]{(take<vectors, step>(memory, x, rows), 0)...};
     static_cast<void>(order);
