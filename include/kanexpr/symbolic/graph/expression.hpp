@@ -78,7 +78,9 @@ public:
   /// are created; so here, and wherever several operands create nodes, each is first stored in a named
   /// variable.
   friend constexpr expression sum_of_products(expression a, expression b, expression c, expression d) {
-    if (!__builtin_is_constant_evaluated() && !(share_a_graph(a, b) && share_a_graph(a, c) && share_a_graph(a, d))) return {};
+    if (!__builtin_is_constant_evaluated() &&
+        !(share_a_graph(a, b) && share_a_graph(a, c) && share_a_graph(a, d)))
+      return {};
     if (c.node_ == graph::zero || d.node_ == graph::zero) return a * b;
     if (a.node_ == graph::zero || b.node_ == graph::zero) return c * d;
     const expression first = a * b, second = c * d;
@@ -86,7 +88,9 @@ public:
   }
   /// a b − c d.
   friend constexpr expression difference_of_products(expression a, expression b, expression c, expression d) {
-    if (!__builtin_is_constant_evaluated() && !(share_a_graph(a, b) && share_a_graph(a, c) && share_a_graph(a, d))) return {};
+    if (!__builtin_is_constant_evaluated() &&
+        !(share_a_graph(a, b) && share_a_graph(a, c) && share_a_graph(a, d)))
+      return {};
     if (c.node_ == graph::zero || d.node_ == graph::zero) return a * b;
     const expression first = a * b, second = c * d;
     return first - second;

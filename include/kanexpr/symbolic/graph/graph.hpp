@@ -150,8 +150,10 @@ public:
   /// The node of a symbol; symbols are equal if their kinds and names are equal.
   constexpr int variable(const symbol& wanted) {
     const symbol* const all = symbols_.begin();
+    const int length = wanted.called.length, last = length > 0 ? length - 1 : 0; // where most names differ
     for (int i = 0, end = symbols_.size(); i < end; ++i)
-      if (all[i].kind == wanted.kind && all[i].called.length == wanted.called.length && all[i] == wanted)
+      if (all[i].called.length == length && all[i].called.letters[last] == wanted.called.letters[last] &&
+          all[i] == wanted)
         return find_or_append({operation::symbol, i, 0});
     return find_or_append({operation::symbol, symbols_.push(wanted), 0});
   }
