@@ -35,7 +35,7 @@ struct step_plan {
   int what[room]{};         ///< the action of each entry: of what follows the angles
   int a[room]{}, b[room]{}; ///< the places of its operands
   int step[room]{};         ///< the step that it is; none for an argument
-  int aside[room]{};        ///< its scratch memory, or none
+  int aside[room]{};        ///< its scratch memory
   int entries = 0, aside_count = 0;
   int operands[at_least_one(tape.sizes.operands)]{}; ///< of the linear steps: places
   static constexpr int none = -1;
@@ -82,7 +82,7 @@ private:
   constexpr void read(int slot) {
     is_late[slot] = false;
     place[slot] = numbers + early_count + behind + entries;
-    step[entries] = aside[entries] = none;
+    step[entries] = none;
     what[entries++] = first_argument - (slot - numbers);
   }
 
@@ -91,7 +91,7 @@ private:
     step[entries] = i;
     what[entries] = action;
     a[entries] = place[tape.a[i]], b[entries] = place[tape.b[i]];
-    aside[entries] = uses_aside(action) ? aside_count++ : none;
+    if (uses_aside(action)) aside[entries] = aside_count++;
     ++entries;
   }
 

@@ -27,8 +27,7 @@ public:
   template <class Arguments>
   [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
     run(arguments, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{},
-        up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, typename entries::actions{},
-        typename entries::first_operands{}, typename entries::second_operands{}, typename entries::asides{},
+        up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{},
         up_to<tape.sizes.results>{});
   }
 
@@ -41,9 +40,7 @@ public:
   /// pieces use store them at once, so that they need no register until the end.
   [[gnu::always_inline]] static void run_in(Number* memory) noexcept {
     run_in(memory, up_to<tape.sizes.numbers>{}, up_to<plan.early_count>{}, up_to<first_angle>{},
-           up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, typename entries::actions{},
-           typename entries::first_operands{}, typename entries::second_operands{},
-           typename entries::asides{}, typename kept_entries<up_to<plan.entries>>::to{});
+           up_to<angles>{}, up_to<given_before>{}, up_to<2 * angles>{}, up_to<plan.entries>{});
   }
 
 private:
@@ -55,41 +52,9 @@ private:
   using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
-  /// The plan of each entry as template arguments: compilers take far longer to call a function for each of
-  /// them, and clang++ would load the elements of an array from memory.
-  template <class Entries>
-  struct lists;
-  template <int... entry>
-  struct lists<std::integer_sequence<int, entry...>> {
-    using actions = std::integer_sequence<int, plan.what[entry]...>;
-    using first_operands = std::integer_sequence<int, plan.a[entry]...>;
-    using second_operands = std::integer_sequence<int, plan.b[entry]...>;
-    using asides = std::integer_sequence<int, plan.aside[entry]...>;
-  };
-  using entries = lists<up_to<plan.entries>>;
-
-  /// Where a piece stores the values of its entries; none for those that only it uses.
-  template <class Piece>
-  struct place_list {
-    int of[at_least_one(plan.entries)]{};
-
-    constexpr place_list() {
-      for (int entry = 0; entry < plan.entries; ++entry) {
-        const int step = plan.step[entry];
-        of[entry] = step >= 0 && Piece::to.is_kept[step] ? Piece::to.place[step] : plan.none;
-      }
-    }
-  };
-  template <class Piece>
-  static constexpr place_list<Piece> places{};
-  template <class Entries>
-  struct kept_entries;
-  template <int... entry>
-  struct kept_entries<std::integer_sequence<int, entry...>> {
-    using to = std::integer_sequence<int, places<Code>.of[entry]...>;
-  };
-
   // consteval, because clang++ would otherwise load an index from the tape
+  static consteval int a(int entry) { return plan.a[entry]; }
+  static consteval int b(int entry) { return plan.b[entry]; }
   static consteval int a_of_step(int step) { return plan.place[tape.a[step]]; }
   static consteval int b_of_step(int step) { return plan.place[tape.b[step]]; }
   static consteval int place_of(int result) { return plan.place[tape.results[result]]; }
@@ -101,13 +66,12 @@ private:
   /// A single call computes the sines and cosines of all angles that are known at the start; a scalar type
   /// may replace the function that it calls.
   template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
-            int... turned, int... what, int... a, int... b, int... offset, int... result>
+            int... turned, int... entry, int... result>
   [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,
                                   std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
                                   std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
                                   std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-                                  std::integer_sequence<int, what...>, std::integer_sequence<int, a...>,
-                                  std::integer_sequence<int, b...>, std::integer_sequence<int, offset...>,
+                                  std::integer_sequence<int, entry...>,
                                   std::integer_sequence<int, result...>) noexcept {
     [[maybe_unused]] const Number given[at_least_one(given_before)] {
       number_as<Number>(tape.numbers[number])...,
@@ -122,26 +86,26 @@ private:
     [[maybe_unused]] Number aside[at_least_one(plan.aside_count)];
     [[maybe_unused]] const Number slot[at_least_one(tape.slot_count())]{
         given[known]..., (turned % 2 == 0 ? sine : cosine)[turned / 2]...,
-        action<what, Arguments>::of(slot[a], slot[b], offset >= 0 ? aside + offset : nullptr,
-                                    what < 0 ? slot : nullptr, &arguments)...};
+        take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
+                               plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
+                               plan.what[entry] < 0 ? slot : nullptr, &arguments)...};
     const int order[]{0, (result_[result] = slot[place_of(result)], 0)...};
     static_cast<void>(order);
   }
 
-  template <int... number, int... load, int... before, int... angle, int... known, int... turned, int... what,
-            int... a, int... b, int... offset, int... to>
+  template <int... number, int... load, int... before, int... angle, int... known, int... turned,
+            int... entry>
   [[gnu::always_inline]] static void
   run_in(Number* memory, std::integer_sequence<int, number...>, std::integer_sequence<int, load...>,
          std::integer_sequence<int, before...>, std::integer_sequence<int, angle...>,
          std::integer_sequence<int, known...>, std::integer_sequence<int, turned...>,
-         std::integer_sequence<int, what...>, std::integer_sequence<int, a...>,
-         std::integer_sequence<int, b...>, std::integer_sequence<int, offset...>,
-         std::integer_sequence<int, to...>) noexcept {
+         std::integer_sequence<int, entry...>) noexcept {
     const Number given[at_least_one(given_before)]{
         number_as<Number>(tape.numbers[number])..., memory[early(load).position]...,
         kept<Code::to.is_kept[before]>(
             apply<tape.op[before], Number>(given[a_of_step(before)], given[b_of_step(before)]),
             memory + place(before))...};
+    const arguments_in_memory arguments{memory};
     [[maybe_unused]] Number sine[at_least_one(angles)], cosine[at_least_one(angles)];
     if constexpr (angles > 0) {
       const Number all[]{given[a_of_step(first_angle + 2 * angle)]...};
@@ -152,8 +116,11 @@ private:
         given[known]...,
         kept<Code::to.is_kept[first_angle + turned]>((turned % 2 == 0 ? sine : cosine)[turned / 2],
                                                      memory + place(first_angle + turned))...,
-        kept_action<what, (to >= 0)>::of(slot[a], slot[b], offset >= 0 ? aside + offset : nullptr,
-                                         what < 0 ? slot : nullptr, memory, memory + (to >= 0 ? to : 0))...};
+        kept<is_kept(entry)>(
+            take<plan.what[entry]>(slot[a(entry)], slot[b(entry)],
+                                   plan.uses_aside(plan.what[entry]) ? aside + plan.aside[entry] : nullptr,
+                                   plan.what[entry] < 0 ? slot : nullptr, &arguments),
+            memory + place_of_entry(entry))...};
   }
 
   /// The arguments of a piece.
@@ -167,6 +134,10 @@ private:
   };
 
   static consteval int place(int step) { return Code::to.place[step]; }
+  static consteval bool is_kept(int entry) {
+    return plan.step[entry] >= 0 && Code::to.is_kept[plan.step[entry]];
+  }
+  static consteval int place_of_entry(int entry) { return is_kept(entry) ? place(plan.step[entry]) : 0; }
 
   /// Returns the value of a step, and stores it if other pieces use it.
   template <bool is_stored>
@@ -175,38 +146,24 @@ private:
     return value;
   }
 
-  /// Evaluates an entry. Only steps that need them receive the scratch memory and the slots.
+  /// Returns the value of an entry. Only steps that need them receive the scratch memory and the slots.
   template <int what, class Arguments>
-  struct action {
-    [[gnu::always_inline]] static Number of(operand a, [[maybe_unused]] operand b,
-                                            [[maybe_unused]] Number* aside,
-                                            [[maybe_unused]] const Number* slot,
-                                            [[maybe_unused]] const Arguments* arguments) noexcept {
-      if constexpr (what <= plan.first_argument) {
-        constexpr load from = tape.loads[plan.first_argument - what];
-        return arguments->template operator()<from.from, from.position>();
-      } else if constexpr (!plan.uses_aside(what)) {
-        return apply<static_cast<operation>(what), Number>(a, b);
-      } else {
-        if constexpr (what == plan.sine_and_cosine)
-          scalar_math<Number>::sincos(a, aside[0], aside[1]);
-        else if constexpr (what < 0)
-          eliminate<plan.first_linear_step - what>(aside, slot);
-        return *aside;
-      }
+  [[gnu::always_inline]] static Number
+  take(operand a, [[maybe_unused]] operand b, [[maybe_unused]] Number* aside,
+       [[maybe_unused]] const Number* slot, [[maybe_unused]] const Arguments* arguments) noexcept {
+    if constexpr (what <= plan.first_argument) {
+      constexpr load from = tape.loads[plan.first_argument - what];
+      return arguments->template operator()<from.from, from.position>();
+    } else if constexpr (!plan.uses_aside(what)) {
+      return apply<static_cast<operation>(what), Number>(a, b);
+    } else {
+      if constexpr (what == plan.sine_and_cosine)
+        scalar_math<Number>::sincos(a, aside[0], aside[1]);
+      else if constexpr (what < 0)
+        eliminate<plan.first_linear_step - what>(aside, slot);
+      return *aside;
     }
-  };
-
-  template <int what, bool is_stored>
-  struct kept_action {
-    [[gnu::always_inline]] static Number of(operand a, operand b, Number* aside, const Number* slot,
-                                            const Number* memory, [[maybe_unused]] Number* place) noexcept {
-      const arguments_in_memory arguments{memory};
-      const Number value = action<what, arguments_in_memory>::of(a, b, aside, slot, &arguments);
-      if constexpr (is_stored) *place = value;
-      return value;
-    }
-  };
+  }
 
   template <int index>
   [[gnu::always_inline]] static void eliminate(Number* out, const Number* slot) noexcept {
