@@ -245,31 +245,25 @@ private:
   }
 
   /// Sums, products and quotients of two scalars, the most frequent operations, without moving their values.
-  constexpr bool combine_scalars(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+  static constexpr bool combine_scalars(const describe::token& t, sequence<value>& stack) {
     using describe::token_kind;
-    if (t.what != token_kind::multiply && t.what != token_kind::add && t.what != token_kind::subtract &&
-        t.what != token_kind::divide)
-      return false;
-    const value& last = stack.back();
-    value& result = stack[stack.size() - 2];
-    if (result.kind != shape::scalar || last.kind != shape::scalar) return false;
-    const expression b = last.scalar;
+    if (t.what < token_kind::add || t.what > token_kind::divide) return false;
+    value& a = stack[stack.size() - 2];
+    const expression b = stack.back().scalar;
+    if (a.kind != shape::scalar || stack.back().kind != shape::scalar) return false;
+    if (t.what == token_kind::divide && b.is_zero()) return false;
     stack.pop();
     if (t.what == token_kind::multiply)
-      result.scalar *= b;
+      a.scalar *= b;
     else if (t.what == token_kind::add)
-      result.scalar += b;
-    else if (t.what == token_kind::subtract)
-      result.scalar += -b;
-    else if (b.is_zero())
-      reading_.fail({reading_.part, whom, " contains a division by zero"});
+      a.scalar += b;
     else
-      result.scalar = result.scalar / b;
+      a.scalar = t.what == token_kind::subtract ? a.scalar + -b : a.scalar / b;
     return true;
   }
 
   constexpr void combine(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    if (combine_scalars(t, stack, whom)) return;
+    if (combine_scalars(t, stack)) return;
     const value b = static_cast<value&&>(stack.back());
     stack.pop();
     const value a = static_cast<value&&>(stack.back());
