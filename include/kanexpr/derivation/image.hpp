@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/loads/element.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
@@ -123,8 +124,50 @@ public:
   }
   constexpr void operator()(symbolic::expression& e) {
     if (writes_) return write(e.is_given() ? e.node() : none);
-    const int node = read();
+    const int node = from_->integer[next_integer_++];
     if (node != none) e = {*g_, node};
+  }
+  constexpr void operator()(mechanics::components& v) { // without a call for each member
+    if (writes_) {
+      if (into_->integers + 3 > image::most_integers) {
+        into_->is_full = true;
+        return;
+      }
+      auto& integer = into_->integer;
+      const int first = into_->integers;
+      integer[first] = v.x.is_given() ? v.x.node() : none;
+      integer[first + 1] = v.y.is_given() ? v.y.node() : none;
+      integer[first + 2] = v.z.is_given() ? v.z.node() : none;
+      into_->integers = first + 3;
+    } else {
+      const auto& integer = from_->integer;
+      const int x = integer[next_integer_], y = integer[next_integer_ + 1], z = integer[next_integer_ + 2];
+      next_integer_ += 3;
+      if (x != none) v.x = {*g_, x};
+      if (y != none) v.y = {*g_, y};
+      if (z != none) v.z = {*g_, z};
+    }
+  }
+  constexpr void operator()(base::sequence<int>& all) {
+    const int size = writes_ ? all.size() : read();
+    if (!writes_) {
+      all.clear();
+      all.resize(size);
+      int* const into = all.begin();
+      const auto& integer = from_->integer;
+      for (int i = 0; i < size; ++i) into[i] = integer[next_integer_ + i];
+      next_integer_ += size;
+      return;
+    }
+    write(size);
+    if (into_->integers + size > image::most_integers) {
+      into_->is_full = true;
+      return;
+    }
+    const int* const from = all.begin();
+    auto& integer = into_->integer;
+    for (int i = 0; i < size; ++i) integer[into_->integers + i] = from[i];
+    into_->integers += size;
   }
   constexpr void operator()(std::int64_t& part) { // in two parts
     if (writes_) {
@@ -136,7 +179,19 @@ public:
   }
   constexpr void operator()(base::name& called) {
     transfer(called.length);
-    for (int i = 0; i < called.length; ++i) transfer(called.letters[i]);
+    const int length = called.length;
+    auto& letters = called.letters;
+    if (!writes_) {
+      const auto& integer = from_->integer;
+      for (int i = 0; i < length; ++i) letters[i] = static_cast<char>(integer[next_integer_ + i]);
+      next_integer_ += length;
+    } else if (into_->integers + length > image::most_integers) {
+      into_->is_full = true;
+    } else {
+      auto& integer = into_->integer;
+      for (int i = 0; i < length; ++i) integer[into_->integers + i] = letters[i];
+      into_->integers += length;
+    }
   }
   constexpr void operator()(const describe::frame_record*& r) {
     if (!writes_)

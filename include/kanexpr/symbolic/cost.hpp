@@ -116,8 +116,8 @@ constexpr void count_columns(const graph& g, const node& n, cost& total) {
 }
 
 template <bool is_constant>
-constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
-  const base::zeros<char> marks = live_nodes(g, outputs);
+constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
+                                   const base::zeros<char>& marks) {
   base::zeros<int> uses(g.size());
   const auto& nodes = g.elements<is_constant>();
   const auto& live = marks.elements<is_constant>();
@@ -168,19 +168,21 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
   total.fused += fused;
   return total;
 }
-constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs) {
-  return __builtin_is_constant_evaluated() ? cost_of_written_out<true>(g, outputs)
-                                           : cost_of_written_out<false>(g, outputs);
+constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
+                                   const base::zeros<char>& live) {
+  return __builtin_is_constant_evaluated() ? cost_of_written_out<true>(g, outputs, live)
+                                           : cost_of_written_out<false>(g, outputs, live);
 }
 
 } // namespace detail
 
 /// The cost of the outputs after lowering: small linear systems are expanded, large ones use elimination.
 constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
-  if (!has_linear_systems(g, live_nodes(g, outputs))) return detail::cost_of_written_out(g, outputs);
+  const base::zeros<char> live = live_nodes(g, outputs);
+  if (!has_linear_systems(g, live)) return detail::cost_of_written_out(g, outputs, live);
   graph copy = g;
   const sequence<int> expanded = expand_solves(copy, outputs);
-  return detail::cost_of_written_out(copy, expanded);
+  return detail::cost_of_written_out(copy, expanded, live_nodes(copy, expanded));
 }
 
 /// Returns `total` plus `times` times the cost c.

@@ -27,8 +27,11 @@ public:
 
   /// `mark` identifies the symbol with the name among those of its kind.
   constexpr void claim(const base::name& called, symbol_list list, int mark = 0) {
-    for (const claimed& other : claimed_)
-      if (other.called == called) fail_by_second_use(called, list, other.list, other.mark == mark);
+    const int length = called.length, last = length > 0 ? length - 1 : 0;
+    for (const claimed& other : claimed_) // names often differ only in the last letter
+      if (other.called.length == length && other.called.letters[last] == called.letters[last] &&
+          other.called == called)
+        fail_by_second_use(called, list, other.list, other.mark == mark);
     claimed_.push({called, list, mark});
   }
 

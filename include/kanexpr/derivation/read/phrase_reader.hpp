@@ -244,7 +244,26 @@ private:
     stack.push(value::of(static_cast<mechanics::vector&&>(v)));
   }
 
+  /// Sums, products and quotients of two scalars, the most frequent operations, without moving their values.
+  static constexpr bool combine_scalars(const describe::token& t, sequence<value>& stack) {
+    using describe::token_kind;
+    if (t.what < token_kind::add || t.what > token_kind::divide) return false;
+    value& a = stack[stack.size() - 2];
+    const expression b = stack.back().scalar;
+    if (a.kind != shape::scalar || stack.back().kind != shape::scalar) return false;
+    if (t.what == token_kind::divide && b.is_zero()) return false;
+    stack.pop();
+    if (t.what == token_kind::multiply)
+      a.scalar *= b;
+    else if (t.what == token_kind::add)
+      a.scalar += b;
+    else
+      a.scalar = t.what == token_kind::subtract ? a.scalar + -b : a.scalar / b;
+    return true;
+  }
+
   constexpr void combine(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    if (combine_scalars(t, stack)) return;
     const value b = static_cast<value&&>(stack.back());
     stack.pop();
     const value a = static_cast<value&&>(stack.back());

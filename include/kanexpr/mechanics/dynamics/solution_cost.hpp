@@ -137,8 +137,9 @@ constexpr bool is_too_long_for_elimination(const skeleton& s, const operation_we
 /// Whether a solution costs less than the elimination of M alone, with forces that both need.
 constexpr bool costs_less_than_elimination(const skeleton& s, const symbolic::symmetric_solution& solved,
                                            const sequence<expression>& force, const operation_weights& by) {
-  const symbolic::cost formed = symbolic::cost_of(*s.model->g, symbolic::nodes_of(force));
-  return cost_of(solved).weighted(by) < formed.weighted(by) + elimination_estimate(s).weighted(by);
+  const long long own = cost_of(solved).weighted(by), estimate = elimination_estimate(s).weighted(by);
+  if (own < estimate) return true; // whatever the forces cost
+  return own < symbolic::cost_of(*s.model->g, symbolic::nodes_of(force)).weighted(by) + estimate;
 }
 
 } // namespace kanexpr::mechanics

@@ -18,7 +18,7 @@ struct components {
 
   constexpr components() = default;
   constexpr components(expression x_, expression y_, expression z_) : x(x_), y(y_), z(z_) {}
-  constexpr explicit components(graph& g) : x(g, graph::zero), y(g, graph::zero), z(g, graph::zero) {}
+  constexpr explicit components(graph& g) : x(g, graph::zero), y(x), z(x) {}
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.x, self.y, self.z);

@@ -24,6 +24,7 @@ constexpr bool is_fixed(const graph& g, int id, sequence<char>& seen) {
 
 /// Whether a scalar contains only numbers and parameters, and is therefore constant while the system moves.
 constexpr bool is_fixed(expression e) {
+  if (e.is_constant()) return true;
   sequence<char> seen(e.node() + 1, 0);
   return detail::is_fixed(e.owner(), e.node(), seen);
 }

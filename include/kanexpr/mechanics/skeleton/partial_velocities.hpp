@@ -12,7 +12,8 @@ namespace detail {
 
 constexpr void add_nodes(const vector& v, sequence<int>& nodes) {
   for (const vector::part& p : v.parts)
-    for (int i = 0; i < 3; ++i) nodes.push(p.value[i].node());
+    for (int i = 0; i < 3; ++i)
+      if (!p.value[i].is_zero()) nodes.push(p.value[i].node());
 }
 
 /// The partial derivatives of a vector with respect to all speeds on which it depends, in the working axes of
@@ -23,10 +24,7 @@ constexpr sequence<partial_velocity> partials_of(const skeleton& s, const symbol
   sequence<partial_velocity> out;
   sequence<int> nodes;
   add_nodes(v, nodes);
-  for (int i = 0; i < m.ways() && !nodes.empty(); ++i) {
-    bool any_changes = false;
-    for (int id : nodes) any_changes = any_changes || on_speeds.changes(id, i);
-    if (!any_changes) continue;
+  for (int i : on_speeds.directions_of(nodes)) {
     symbolic::differentiation by_speed(*m.g);
     by_speed.set_rate(m.way(i), m.one());
     by_speed.skip_unchanged(on_speeds, i);

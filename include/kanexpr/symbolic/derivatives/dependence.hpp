@@ -53,6 +53,18 @@ public:
     return (directions_[id * words_ + direction / 64] >> (direction % 64) & 1) != 0;
   }
 
+  /// The directions along which any of these nodes may change, in ascending order.
+  constexpr sequence<int> directions_of(const sequence<int>& nodes) const {
+    sequence<int> all;
+    for (int w = 0; w < words_; ++w) {
+      word any = 0;
+      for (int id : nodes) any |= directions_[id * words_ + w];
+      for (int i = 64 * w; any != 0; ++i, any >>= 1)
+        if ((any & 1) != 0) all.push(i);
+    }
+    return all;
+  }
+
   /// The number of nodes that are covered; later ones may depend on anything.
   constexpr int size() const { return size_; }
   constexpr int words() const { return words_; }

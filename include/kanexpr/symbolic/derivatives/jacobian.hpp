@@ -15,15 +15,19 @@ namespace kanexpr::symbolic {
 constexpr matrix forward_jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
   matrix all(g, of.size(), by.size());
   if (all.entries.empty()) return all;
-  dependence found(g, nodes_of(of), by.size());
+  const sequence<int> nodes = nodes_of(of);
+  dependence found(g, nodes, by.size());
   for (int j = 0; j < all.columns; ++j) found.mark(by[j].node(), j);
   found.spread();
+  const dependence::word* const changes = found.begin(); // as compilers interpret each call
+  const int* const rows = nodes.begin();
+  const int words = found.words(), count = all.rows;
   for (int j = 0; j < all.columns; ++j) {
     differentiation along(g);
     along.set_rate(by[j], {g, graph::one});
     along.skip_unchanged(found, j);
-    for (int i = 0; i < all.rows; ++i)
-      if (found.changes(of[i].node(), j)) all(i, j) = along.of(of[i]);
+    for (int i = 0; i < count; ++i)
+      if ((changes[rows[i] * words + j / 64] >> (j % 64) & 1) != 0) all(i, j) = along.of(of[i]);
   }
   return all;
 }

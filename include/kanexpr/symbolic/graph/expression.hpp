@@ -43,25 +43,57 @@ public:
     return {*graph_, graph_->constant(value)};
   }
 
+  // These functions change a copy of an operand, which costs compilers one call less than a constructor. They
+  // return sums with zero and products with zero or one without a further call, because most operations of a
+  // derivation are such.
   friend constexpr expression operator-(expression a) {
     if (!__builtin_is_constant_evaluated() && !a.is_given()) return {};
-    return {*a.graph_, negate(*a.graph_, a.node_)};
+    if (a.node_ != graph::zero) a.node_ = negate(*a.graph_, a.node_);
+    return a;
   }
   friend constexpr expression operator+(expression a, expression b) {
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
-    return {*a.graph_, add(*a.graph_, a.node_, b.node_)};
+    if (a.node_ == graph::zero) return b;
+    if (b.node_ != graph::zero) a.node_ = add(*a.graph_, a.node_, b.node_);
+    return a;
   }
   friend constexpr expression operator-(expression a, expression b) {
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
-    return {*a.graph_, subtract(*a.graph_, a.node_, b.node_)};
+    if (b.node_ != graph::zero) a.node_ = subtract(*a.graph_, a.node_, b.node_);
+    return a;
   }
   friend constexpr expression operator*(expression a, expression b) {
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
-    return {*a.graph_, multiply(*a.graph_, a.node_, b.node_)};
+    if (a.node_ == graph::zero || b.node_ == graph::one) return a;
+    if (b.node_ == graph::zero || a.node_ == graph::one) return b;
+    a.node_ = multiply(*a.graph_, a.node_, b.node_);
+    return a;
   }
   friend constexpr expression operator/(expression a, expression b) {
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
-    return {*a.graph_, divide(*a.graph_, a.node_, b.node_)};
+    a.node_ = divide(*a.graph_, a.node_, b.node_);
+    return a;
+  }
+  /// a b + c d. C++ does not fix the evaluation order of the operands of `+`, and nodes are numbered as they
+  /// are created; so here, and wherever several operands create nodes, each is first stored in a named
+  /// variable.
+  friend constexpr expression sum_of_products(expression a, expression b, expression c, expression d) {
+    if (!__builtin_is_constant_evaluated() &&
+        !(share_a_graph(a, b) && share_a_graph(a, c) && share_a_graph(a, d)))
+      return {};
+    if (c.node_ == graph::zero || d.node_ == graph::zero) return a * b;
+    if (a.node_ == graph::zero || b.node_ == graph::zero) return c * d;
+    const expression first = a * b, second = c * d;
+    return first + second;
+  }
+  /// a b − c d.
+  friend constexpr expression difference_of_products(expression a, expression b, expression c, expression d) {
+    if (!__builtin_is_constant_evaluated() &&
+        !(share_a_graph(a, b) && share_a_graph(a, c) && share_a_graph(a, d)))
+      return {};
+    if (c.node_ == graph::zero || d.node_ == graph::zero) return a * b;
+    const expression first = a * b, second = c * d;
+    return first - second;
   }
   friend constexpr expression operator+(expression a, plain_number auto b) { return a + a.converted(b); }
   friend constexpr expression operator+(plain_number auto a, expression b) { return b.converted(a) + b; }
@@ -102,18 +134,8 @@ private:
   int node_;
 };
 
-/// a b + c d. C++ does not fix the evaluation order of the operands of `+`, and nodes are numbered as they
-/// are created; so here, and wherever several operands create nodes, each is first stored in a named
-/// variable.
-constexpr expression sum_of_products(expression a, expression b, expression c, expression d) {
-  const expression first = a * b, second = c * d;
-  return first + second;
-}
-/// a b − c d.
-constexpr expression difference_of_products(expression a, expression b, expression c, expression d) {
-  const expression first = a * b, second = c * d;
-  return first - second;
-}
+constexpr expression sum_of_products(expression a, expression b, expression c, expression d);
+constexpr expression difference_of_products(expression a, expression b, expression c, expression d);
 
 constexpr expression apply(operation op, expression a) {
   if (!__builtin_is_constant_evaluated() && !a.is_given()) return {};

@@ -29,6 +29,13 @@ struct node {
 /// This class only stores nodes; rules.hpp builds them in simplest form. Most of the work of a derivation is
 /// done here, and compilers interpret every call, so the code accesses its arrays directly.
 class graph {
+  // the most frequent rules (rules.hpp), which read the nodes
+  friend constexpr int negate(graph& g, int a);
+  friend constexpr int add(graph& g, int a, int b);
+  friend constexpr int subtract(graph& g, int a, int b);
+  friend constexpr int multiply(graph& g, int a, int b);
+  friend constexpr int divide(graph& g, int a, int b);
+
   // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
   // declared later in the class
   template <class Nodes, class From>
@@ -109,18 +116,6 @@ public:
       return nodes_;
   }
 
-  /// Copies two nodes, which takes half of the memory of reading each through a pointer.
-  constexpr void read(int a, int b, node& x, node& y) const {
-    if (__builtin_is_constant_evaluated()) {
-      const auto& nodes = block_->value;
-      x = nodes[a];
-      y = nodes[b];
-    } else {
-      x = nodes_[a];
-      y = nodes_[b];
-    }
-  }
-
   constexpr bool is_constant(int id) const { return nodes_[id].op == operation::constant; }
   constexpr const number& number_at(int id) const { return numbers_[nodes_[id].a]; }
   constexpr const symbol& symbol_at(int id) const { return symbols_[nodes_[id].a]; }
@@ -155,34 +150,39 @@ public:
   /// The node of a symbol; symbols are equal if their kinds and names are equal.
   constexpr int variable(const symbol& wanted) {
     const symbol* const all = symbols_.begin();
+    const int length = wanted.called.length, last = length > 0 ? length - 1 : 0; // where most names differ
     for (int i = 0, end = symbols_.size(); i < end; ++i)
-      if (all[i].kind == wanted.kind && all[i].called.length == wanted.called.length && all[i] == wanted)
+      if (all[i].called.length == length && all[i].called.letters[last] == wanted.called.letters[last] &&
+          all[i] == wanted)
         return find_or_append({operation::symbol, i, 0});
     return find_or_append({operation::symbol, symbols_.push(wanted), 0});
   }
 
   /// The number of an existing node, or -1 if there is none.
-  constexpr int find(const node& wanted) const {
-    unsigned place = hash(wanted) & hash_mask_;
-    for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
-      const node& present = nodes_[next - 1];
-      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;
-    }
+  constexpr int find(const node& wanted) const { return find(wanted.op, wanted.a, wanted.b); }
+  constexpr int find(operation op, int a, int b) const {
+    if (!__builtin_is_constant_evaluated()) return find_at_run_time({op, a, b});
+    const unsigned mask = hash_mask_;
+    const auto& nodes = block_->value;
+    const auto& table = slots_->value;
+    unsigned place = mask & static_cast<unsigned>(a * 211 + b * 5 + static_cast<int>(op));
+    for (int next = table[place]; next != 0; next = table[place = (place + 1) & mask])
+      if (nodes[next - 1].a == a && nodes[next - 1].b == b && nodes[next - 1].op == op) return next - 1;
     return -1;
   }
 
-  constexpr int find_or_append(const node& wanted) { // the most frequent function of all
-    if (!__builtin_is_constant_evaluated()) return find_or_append_at_run_time(wanted);
-    const operation op = wanted.op;
-    const int a = wanted.a, b = wanted.b;
+  constexpr int find_or_append(const node& wanted) { return find_or_append(wanted.op, wanted.a, wanted.b); }
+  /// The most frequent function of all; in constant evaluation, a node as its argument would take memory.
+  constexpr int find_or_append(operation op, int a, int b) {
+    if (!__builtin_is_constant_evaluated()) return find_or_append_at_run_time({op, a, b});
     const unsigned mask = hash_mask_;
     auto& nodes = block_->value;
-    auto& table = places_.elements<true>();
+    auto& table = slots_->value;
     unsigned place = mask & static_cast<unsigned>(a * 211 + b * 5 + static_cast<int>(op));
     for (int next = table[place]; next != 0; next = table[place = (place + 1) & mask])
       if (nodes[next - 1].a == a && nodes[next - 1].b == b && nodes[next - 1].op == op) return next - 1;
     const int id = size_;
-    if (id == room_ || op >= operation::pair) return append(wanted, static_cast<int>(place));
+    if (id == room_ || op >= operation::pair) return append({op, a, b}, static_cast<int>(place));
     nodes[id].op = op;
     nodes[id].a = a;
     nodes[id].b = b;
@@ -235,6 +235,10 @@ private:
   /// The nodes in constant evaluation, where the compiler stores only those that are written.
   struct block {
     node value[constant_room];
+  };
+  /// The hash table there. base::zeros provides such an array too, but only by a call.
+  struct slots {
+    int value[2 * constant_room]{};
   };
 
   static constexpr unsigned hash(const number& value) {
@@ -291,6 +295,14 @@ private:
     index_nodes(count + 1);
   }
 
+  constexpr int find_at_run_time(const node& wanted) const {
+    unsigned place = hash(wanted) & hash_mask_;
+    for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
+      const node& present = nodes_[next - 1];
+      if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return next - 1;
+    }
+    return -1;
+  }
   constexpr int find_or_append_at_run_time(const node& wanted) {
     unsigned place = hash(wanted) & hash_mask_;
     for (int next = table_[place]; next != 0; next = table_[place = (place + 1) & hash_mask_]) {
@@ -303,7 +315,7 @@ private:
   /// Enters distinct nodes into the hash table.
   constexpr void index_nodes(int count) {
     if (__builtin_is_constant_evaluated())
-      index_nodes(block_->value, places_.elements<true>(), count);
+      index_nodes(block_->value, slots_->value, count);
     else
       index_nodes(nodes_, table_, count);
     size_ = count;
@@ -322,8 +334,14 @@ private:
   /// The table has at least twice as many slots as there may be nodes.
   constexpr void allocate_table(int nodes) {
     room_ = nodes;
-    places_ = base::zeros<int>(2 * nodes);
-    table_ = places_.begin();
+    if (__builtin_is_constant_evaluated()) {
+      delete slots_;
+      slots_ = new slots();
+      table_ = slots_->value;
+    } else {
+      places_ = base::zeros<int>(2 * nodes);
+      table_ = places_.begin();
+    }
     hash_mask_ = 2 * static_cast<unsigned>(nodes) - 1;
   }
   constexpr void release() {
@@ -331,11 +349,14 @@ private:
       delete block_;
     else
       delete[] nodes_;
+    delete slots_;
     block_ = nullptr;
+    slots_ = nullptr;
     nodes_ = nullptr;
   }
 
   block* block_ = nullptr; ///< only in constant evaluation
+  slots* slots_ = nullptr; ///< likewise
   node* nodes_ = nullptr;
   int size_ = 0;
   int room_ = 0;

@@ -10,8 +10,8 @@
 ///
 /// Each rule inspects at most two levels and never makes an expression larger. Signs move outward, where the
 /// next sum absorbs them; constants move to the front; commutative operands are sorted by node number, so
-/// that equal expressions become one node. Compilers interpret each call, so the most frequent tests are
-/// written inline.
+/// that equal expressions become one node. Compilers interpret each call, so the most frequent functions
+/// access the nodes directly and contain the most frequent tests.
 namespace kanexpr::symbolic {
 
 constexpr int negate(graph& g, int a);
@@ -70,40 +70,36 @@ private:
   }
 };
 
-/// Whether a and b are products of the same factors, possibly grouped differently.
-constexpr bool is_same_product(const graph& g, int a, int b) {
-  const node &x = g[a], &y = g[b];
-  if (x.op != operation::multiply || y.op != operation::multiply) return false;
-  const auto is_nested = [&](const node& n) {
-    return g[n.a].op == operation::multiply || g[n.b].op == operation::multiply;
-  };
-  return is_nested(x) && is_nested(y) && product_factors(g, a) == product_factors(g, b);
-}
-
 } // namespace detail
 
 constexpr int negate(graph& g, int a) {
-  const node n = g[a];
+  const node n = g.nodes_[a];
   if (n.op == operation::constant) return g.constant(-g.number_at(a));
   if (n.op == operation::negate) return n.a;
   if (n.op == operation::subtract) {
-    const int turned = g.find({operation::subtract, n.b, n.a});
+    const int turned = g.find(operation::subtract, n.b, n.a);
     if (turned >= 0) return turned;
   }
-  return g.find_or_append({operation::negate, a, 0});
+  return g.find_or_append(operation::negate, a, 0);
 }
 
 constexpr int add(graph& g, int a, int b) {
   if (a == graph::zero) return b;
   if (b == graph::zero) return a;
-  const node* const nodes = g.begin();
   node x, y;
-  g.read(a, b, x, y);
+  if (__builtin_is_constant_evaluated()) {
+    const auto& nodes = g.block_->value;
+    x = nodes[a];
+    y = nodes[b];
+  } else {
+    x = g.nodes_[a];
+    y = g.nodes_[b];
+  }
   if (x.op == operation::constant) {
     if (y.op == operation::constant) return g.constant(g.number_at(a) + g.number_at(b));
-    if (y.op == operation::add && nodes[y.a].op == operation::constant)
+    if (y.op == operation::add && g.nodes_[y.a].op == operation::constant)
       return add(g, g.constant(g.number_at(a) + g.number_at(y.a)), y.b);
-    return g.find_or_append({operation::add, a, b});
+    return g.find_or_append(operation::add, a, b);
   }
   if (y.op == operation::constant) return add(g, b, a);
   if (x.op == operation::negate)
@@ -112,31 +108,37 @@ constexpr int add(graph& g, int a, int b) {
   if (x.op == operation::subtract && x.b == b) return x.a;
   if (y.op == operation::subtract && y.b == a) return y.a;
   if (a == b) return multiply(g, g.constant(exactly(2)), a);
-  const int of_a = x.op == operation::multiply && nodes[x.a].op == operation::constant ? x.b : a,
-            of_b = y.op == operation::multiply && nodes[y.a].op == operation::constant ? y.b : b;
+  const int of_a = x.op == operation::multiply && g.nodes_[x.a].op == operation::constant ? x.b : a,
+            of_b = y.op == operation::multiply && g.nodes_[y.a].op == operation::constant ? y.b : b;
   if (of_a == of_b)
     return multiply(g, g.constant(detail::coefficient_of(g, a, of_a) + detail::coefficient_of(g, b, of_b)),
                     of_a);
-  if (x.op == operation::multiply && y.op == operation::multiply &&
+  if (x.op == operation::multiply && y.op == operation::multiply && x.a == x.b && y.a == y.b &&
       (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)))
     return graph::one;
   // constants move to the front: (c + x) + y becomes c + (x + y) only if c is then combined with another
   // constant
-  if (x.op == operation::add && nodes[x.a].op == operation::constant && y.op == operation::add &&
-      nodes[y.a].op == operation::constant) {
+  if (x.op == operation::add && g.nodes_[x.a].op == operation::constant && y.op == operation::add &&
+      g.nodes_[y.a].op == operation::constant) {
     const int c = g.constant(g.number_at(x.a) + g.number_at(y.a));
     return add(g, c, add(g, x.b, y.b));
   }
-  return g.find_or_append(a < b ? node{operation::add, a, b} : node{operation::add, b, a});
+  return a < b ? g.find_or_append(operation::add, a, b) : g.find_or_append(operation::add, b, a);
 }
 
 constexpr int subtract(graph& g, int a, int b) {
   if (a == b) return graph::zero;
   if (a == graph::zero) return negate(g, b);
   if (b == graph::zero) return a;
-  const node* const nodes = g.begin();
   node x, y;
-  g.read(a, b, x, y);
+  if (__builtin_is_constant_evaluated()) {
+    const auto& nodes = g.block_->value;
+    x = nodes[a];
+    y = nodes[b];
+  } else {
+    x = g.nodes_[a];
+    y = g.nodes_[b];
+  }
   if (y.op == operation::constant) return add(g, g.constant(-g.number_at(b)), a);
   if (y.op == operation::negate) return add(g, a, y.a);
   if (x.op == operation::negate) return negate(g, add(g, x.a, b));
@@ -151,38 +153,47 @@ constexpr int subtract(graph& g, int a, int b) {
   }
   if (y.op == operation::subtract && y.a == a) return y.b;
   if (x.op == operation::constant) {
-    if (y.op == operation::add && nodes[y.a].op == operation::constant)
+    if (y.op == operation::add && g.nodes_[y.a].op == operation::constant)
       return subtract(g, g.constant(g.number_at(a) - g.number_at(y.a)), y.b);
     // 1 - sin² is not rewritten: cos² costs a product and may need a cosine that is not needed otherwise
   } else {
-    const int of_a = x.op == operation::multiply && nodes[x.a].op == operation::constant ? x.b : a,
-              of_b = y.op == operation::multiply && nodes[y.a].op == operation::constant ? y.b : b;
+    const int of_a = x.op == operation::multiply && g.nodes_[x.a].op == operation::constant ? x.b : a,
+              of_b = y.op == operation::multiply && g.nodes_[y.a].op == operation::constant ? y.b : b;
     if (of_a == of_b)
       return multiply(g, g.constant(detail::coefficient_of(g, a, of_a) - detail::coefficient_of(g, b, of_b)),
                       of_a);
-    if (x.op == operation::multiply && y.op == operation::multiply && detail::is_same_product(g, a, b))
+    if (x.op == operation::multiply && y.op == operation::multiply &&
+        (g.nodes_[x.a].op == operation::multiply || g.nodes_[x.b].op == operation::multiply) &&
+        (g.nodes_[y.a].op == operation::multiply || g.nodes_[y.b].op == operation::multiply) &&
+        detail::product_factors(g, a) == detail::product_factors(g, b))
       return graph::zero;
   }
-  const int turned = g.find({operation::subtract, b, a});
+  const int turned = g.find(operation::subtract, b, a);
   if (turned >= 0) return negate(g, turned);
-  return g.find_or_append({operation::subtract, a, b});
+  return g.find_or_append(operation::subtract, a, b);
 }
 
 constexpr int multiply(graph& g, int a, int b) {
   if (a == graph::zero || b == graph::zero) return graph::zero;
   if (a == graph::one) return b;
   if (b == graph::one) return a;
-  const node* const nodes = g.begin();
   node x, y;
-  g.read(a, b, x, y);
+  if (__builtin_is_constant_evaluated()) {
+    const auto& nodes = g.block_->value;
+    x = nodes[a];
+    y = nodes[b];
+  } else {
+    x = g.nodes_[a];
+    y = g.nodes_[b];
+  }
   if (x.op == operation::constant) {
     const number c = g.number_at(a);
     if (y.op == operation::constant) return g.constant(c * g.number_at(b));
     if (c.negative()) return negate(g, multiply(g, g.constant(-c), b));
     if (y.op == operation::negate) return negate(g, multiply(g, a, y.a));
-    if (y.op == operation::multiply && nodes[y.a].op == operation::constant)
+    if (y.op == operation::multiply && g.nodes_[y.a].op == operation::constant)
       return multiply(g, g.constant(c * g.number_at(y.a)), y.b);
-    return g.find_or_append({operation::multiply, a, b});
+    return g.find_or_append(operation::multiply, a, b);
   }
   if (y.op == operation::constant) return multiply(g, b, a);
   if (x.op == operation::negate)
@@ -191,19 +202,26 @@ constexpr int multiply(graph& g, int a, int b) {
   if (x.op == operation::sqrt && a == b) return x.a;
   if (x.op == operation::divide && x.b == b) return x.a;
   if (y.op == operation::divide && y.b == a) return y.a;
-  if (x.op == operation::multiply && nodes[x.a].op == operation::constant && y.op == operation::multiply &&
-      nodes[y.a].op == operation::constant) {
+  if (x.op == operation::multiply && g.nodes_[x.a].op == operation::constant && y.op == operation::multiply &&
+      g.nodes_[y.a].op == operation::constant) {
     const int c = g.constant(g.number_at(x.a) * g.number_at(y.a));
     return multiply(g, c, multiply(g, x.b, y.b));
   }
-  return g.find_or_append(a < b ? node{operation::multiply, a, b} : node{operation::multiply, b, a});
+  return a < b ? g.find_or_append(operation::multiply, a, b) : g.find_or_append(operation::multiply, b, a);
 }
 
 /// A division by the constant zero is not simplified; the model reports it as a mistake.
 constexpr int divide(graph& g, int a, int b) {
   if (b == graph::one) return a;
   node x, y;
-  g.read(a, b, x, y);
+  if (__builtin_is_constant_evaluated()) {
+    const auto& nodes = g.block_->value;
+    x = nodes[a];
+    y = nodes[b];
+  } else {
+    x = g.nodes_[a];
+    y = g.nodes_[b];
+  }
   if (b != graph::zero) {
     if (a == graph::zero) return graph::zero;
     if (y.op == operation::constant) return multiply(g, g.constant(exactly(1) / g.number_at(b)), a);
@@ -217,7 +235,7 @@ constexpr int divide(graph& g, int a, int b) {
   }
   if (y.op == operation::divide && x.op == operation::constant && a == graph::one) return divide(g, y.b, y.a);
   if (y.op == operation::sqrt && y.a == a) return b;
-  return g.find_or_append({operation::divide, a, b});
+  return g.find_or_append(operation::divide, a, b);
 }
 
 /// Rounds function values near zero: the cosine of the double nearest to π/2 is zero.
@@ -257,14 +275,14 @@ constexpr int apply(graph& g, operation op, int a) {
     }
   }
   if (op == operation::abs && x.op == operation::abs) return a;
-  return g.find_or_append({op, a, 0});
+  return g.find_or_append(op, a, 0);
 }
 
 /// Applies a function of two arguments.
 constexpr int apply(graph& g, operation op, int a, int b) {
   if (g.is_constant(a) && g.is_constant(b))
     return g.constant(real(binary_properties_of(op).value(g.number_at(a).value(), g.number_at(b).value())));
-  return g.find_or_append({op, a, b});
+  return g.find_or_append(op, a, b);
 }
 
 constexpr int selected(graph& g, operation op, int condition, int x) {
@@ -277,7 +295,7 @@ constexpr int selected(graph& g, operation op, int condition, int x) {
   const node n = g[x];
   if (n.op == operation::negate) return negate(g, selected(g, op, condition, n.a));
   if (n.op == op && n.a == condition) return x;
-  return g.find_or_append({op, condition, x});
+  return g.find_or_append(op, condition, x);
 }
 
 constexpr int integer_power(graph& g, int base, std::int64_t exponent) {
@@ -303,7 +321,7 @@ constexpr int power(graph& g, int base, int exponent) {
     if (g.is_constant(base))
       return g.constant(real(numeric::elementary::pow(g.number_at(base).value(), n.value())));
   }
-  return g.find_or_append({operation::power, base, exponent});
+  return g.find_or_append(operation::power, base, exponent);
 }
 
 } // namespace kanexpr::symbolic
