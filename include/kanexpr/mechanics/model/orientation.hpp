@@ -134,8 +134,25 @@ private:
   sequence<elementary_rotation> rotations_{};
 };
 
+/// Whether a vector keeps its components between two frames, because all rotations between them are about the
+/// basis vector along which it points, as in planar chains.
+constexpr bool keeps_components(const mechanism& m, const components& v, int from, int to) {
+  int axis = none;
+  for (int i = 0; i < 3; ++i)
+    if (v[(i + 1) % 3].is_zero() && v[(i + 2) % 3].is_zero()) axis = i;
+  if (axis == none) return false;
+  const frame* const frames = m.frames.begin(); // a frame comes after its parent
+  while (from != to) {
+    int& farther = from > to ? from : to;
+    const frame& f = frames[farther];
+    if (f.kind != orientation::about_basis || f.axis != axis) return false;
+    farther = f.parent;
+  }
+  return true;
+}
+
 constexpr components express(const mechanism& m, const components& v, int from, int to) {
-  if (v.is_zero() || from == to) return v;
+  if (from == to || v.is_zero() || keeps_components(m, v, from, to)) return v;
   return path(m, from, to).turn(v); // not in a conditional expression: g++ 12 would destroy the path twice
 }
 
