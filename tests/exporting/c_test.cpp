@@ -31,7 +31,11 @@
 #include <four_bar_in_pieces.h>
 #include <four_bar_in_pieces_in_float.h>
 #include <iiwa.h>
+#include <iiwa_columns.h>
+#include <iiwa_columns_in_float.h>
 #include <iiwa_in_float.h>
+#include <iiwa_in_pieces.h>
+#include <iiwa_in_pieces_in_float.h>
 #include <loaded_arm.h>
 #include <loaded_arm_in_float.h>
 #include <motor_arm.h>
@@ -190,6 +194,27 @@ TEST(C, HasTheSameBitsInPieces) {
   expect_same_linearization<double>(four_bar_in_pieces_explicit_form, four_bar_explicit_form);
   expect_same_linearization<float>(four_bar_in_pieces_in_float_explicit_form,
                                    four_bar_in_float_explicit_form);
+}
+
+/// Compares A, whose columns are solved in a loop, with the interpreted one.
+template <class Number, class Written>
+void expect_interpreted_state_matrix(const Written& written) {
+  calls<iiwa::System, Number> at;
+  model m = derive<iiwa::System>();
+  auto interpreted = m.function<Number>(m.get(mechanics::quantity::state_matrix));
+  for (int repetition = 0; repetition < 100; ++repetition) {
+    at.next();
+    std::vector<Number> found(14 * 14), B(14 * 7);
+    EXPECT_EQ(written(0, at.x.data(), at.p.data(), at.r.data(), found.data(), B.data()), 0);
+    expect_same_bits(found, interpreted(at.x, at.p, at.r));
+  }
+}
+
+TEST(C, HasTheBitsOfInterpretedColumns) {
+  expect_interpreted_state_matrix<double>(iiwa_columns_explicit_form);
+  expect_interpreted_state_matrix<double>(iiwa_in_pieces_explicit_form);
+  expect_interpreted_state_matrix<float>(iiwa_columns_in_float_explicit_form);
+  expect_interpreted_state_matrix<float>(iiwa_in_pieces_in_float_explicit_form);
 }
 
 /// Compares rates with interpreted ones where the state variables are positive, as the force of a tendon is.

@@ -238,6 +238,10 @@ int main(int, char** arguments) {
   loaded.functions = {results("udot"), results("explicit_form"), results("runge_kutta_4")};
   c_options in_pieces;
   in_pieces.lengths = {.longest = 100, .piece = 40};
+  c_options many_columns; // their systems are solved in loops
+  many_columns.functions = {results("explicit_form")};
+  c_options columns_in_pieces = many_columns;
+  columns_in_pieces.lengths = {.longest = 1000, .piece = 150};
   return is_bound_written && write_for_casadi(folder, {bound.bound, "ralston_3"}) &&
                  write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
@@ -247,6 +251,8 @@ int main(int, char** arguments) {
                  write<cornering_car::System>(folder, "cornering_car", loaded) &&
                  write<driven_wheel::System>(folder, "driven_wheel", loaded) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
+                 write<iiwa::System>(folder, "iiwa_columns", many_columns) &&
+                 write<iiwa::System>(folder, "iiwa_in_pieces", columns_in_pieces) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<four_bar::System>(folder, "four_bar_in_pieces", in_pieces) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&

@@ -79,6 +79,8 @@ TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({fixed_step("step", {"heun_2"})})),
             "unknown step method heun_2; expected runge_kutta_4, ralston_3 or semi_implicit_euler");
   EXPECT_EQ(cause_of("arm", with({results(" ")})), "a function must have at least one result");
+  EXPECT_EQ(cause_of("arm", {.lengths = {.piece = 0}}),
+            "functions must be allowed to have at least one line");
   EXPECT_EQ(cause_of("arm", with({results("multipliers")})), "multipliers of arm has no entries");
   EXPECT_EQ(cause_of("arm", {.bound = {{"k", 1}}}), "there is no parameter k to bind to a number");
   EXPECT_EQ(cause_of("arm", {.bound = {{"m", std::numeric_limits<double>::infinity()}}}),

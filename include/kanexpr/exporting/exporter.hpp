@@ -144,7 +144,7 @@ private:
       if (!found) return;
       if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
       made.cost = lower::cost_of(found->code);
-      made.code = lower::statements_of(found->code);
+      made.code = lower::statements_of(found->code, true);
       made.results = std::move(found->results), made.checks = std::move(found->checks);
       made.weights = found->weights;
       for (const requested_result& each : wanted.results) {
@@ -190,7 +190,7 @@ private:
     };
     base::sequence<symbolic::expression> all;
     for (const requested_result& each : wanted.results) {
-      symbolic::matrix found = evaluate(from, each);
+      symbolic::matrix found = evaluate(from, each, wanted.derivatives.empty());
       if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
       if (!made_.mistake.empty()) return std::nullopt;
       if (each.derivative.type != requested_derivative::kind::none)
@@ -265,9 +265,13 @@ private:
     return all;
   }
 
-  symbolic::matrix evaluate(model& from, const requested_result& each) {
+  /// `is_final` if the function contains no derivatives of the result.
+  symbolic::matrix evaluate(model& from, const requested_result& each, bool is_final) {
     if (!each.written.is_given()) {
-      const symbolic::matrix found = from.get(each.request);
+      const bool can_have_columns = is_final && !each.is_sparse && each.part.empty() &&
+                                    each.derivative.type == requested_derivative::kind::none;
+      const symbolic::matrix found =
+          can_have_columns ? from.get_for_code(each.request) : from.get(each.request);
       return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())
                                                         : found;
     }

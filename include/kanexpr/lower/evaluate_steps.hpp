@@ -22,7 +22,10 @@ void evaluate_columns(const Code& code, const linear_step& e, Number* values, Nu
   const numeric::column_steps steps = column_steps_of(code, e);
   Number* const right = aside + numeric::symmetric_factors{e.order}.size();
   for (int i = 0; i < e.inputs(); ++i) aside[i] = values[code.operands[e.operands + i]];
-  for (int j = 0; j < e.factors; ++j) numeric::solve_column(steps, aside, right + j, e.factors);
+  bool is_solved = false;
+  if constexpr (requires { scalar_math<Number>::solve_columns(steps, e.order, e.factors, aside, right); })
+    is_solved = scalar_math<Number>::solve_columns(steps, e.order, e.factors, aside, right);
+  for (int j = 0; j < e.factors && !is_solved; ++j) numeric::solve_column(steps, aside, right + j, e.factors);
   for (int i = 0; i < e.outputs(); ++i) values[code.first_step() + e.step + i] = right[i];
 }
 

@@ -40,6 +40,7 @@ struct column_steps {
   base::sequence<column_step> all{};
   base::sequence<char> filled{}; ///< whether each unknown may differ from zero
 
+  constexpr column_steps() = default;
   /// `is_zero(i)` returns whether a factor is zero, `is_zero_row(i)` whether a row of B is.
   template <class IsZero, class IsZeroRow>
   constexpr column_steps(int order, const IsZero& is_zero, const IsZeroRow& is_zero_row) {

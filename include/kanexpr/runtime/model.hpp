@@ -118,6 +118,9 @@ public:
     return get(derivation::requested<wanted>::value);
   }
   symbolic::matrix get(const derivation::request& wanted);
+  /// The same as compiled functions evaluate it: a linear system with many columns is one node, which cannot
+  /// be differentiated or printed.
+  symbolic::matrix get_for_code(const derivation::request& wanted);
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted, class Where = describe::file_of<wanted>>

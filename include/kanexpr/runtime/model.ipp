@@ -56,7 +56,7 @@ inline symbolic::matrix form_result(derived& system, const derivation::request& 
     if (derivation::stage_for(wanted) >= next && !system.equations()->mistake())
       derivation::advance(*system.equations(), next);
   derivation::visit({&wanted, 1}, system.reader());
-  return symbolic::written_out(derivation::form(wanted, system.reader(), *system.equations()));
+  return derivation::form(wanted, system.reader(), *system.equations());
 }
 
 } // namespace runtime
@@ -89,6 +89,10 @@ KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
+  return runtime::try_form(*system_,
+                           [&] { return symbolic::written_out(runtime::form_result(*system_, wanted)); });
+}
+KANEXPR_ENGINE symbolic::matrix model::get_for_code(const derivation::request& wanted) {
   return runtime::try_form(*system_, [&] { return runtime::form_result(*system_, wanted); });
 }
 

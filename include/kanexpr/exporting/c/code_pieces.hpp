@@ -3,6 +3,7 @@
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -27,7 +28,7 @@ public:
     if (lines <= allowed.longest) return;
     find_last_uses();
     count_live_values();
-    choose_cuts(allowed.piece);
+    choose_cuts((std::min)(allowed.piece, lines));
     assign_places();
   }
 
@@ -42,6 +43,7 @@ public:
 private:
   using kind = lower::statement::kind;
   using operation = symbolic::operation;
+  static constexpr int joined = 1 << 30;
 
   static bool is_computed(const lower::statement& s) {
     return s.is != kind::number && s.is != kind::argument;
@@ -49,13 +51,8 @@ private:
 
   void find_last_uses() {
     last_use_.assign(place_.size(), none);
-    for (int i = 0; i < code_.lines.size(); ++i) {
-      const lower::statement& s = code_.lines[i];
-      if (!is_computed(s)) continue;
-      last_use(s.a) = i;
-      if (s.is == kind::choice || symbolic::is_binary(s.op)) last_use(s.b) = i;
-      if (s.is == kind::choice) last_use(s.by) = i;
-    }
+    for (int i = 0; i < code_.lines.size(); ++i)
+      lower::for_each_operand(code_, code_.lines[i], [&](int place) { last_use(place) = i; });
     for (int result : code_.results) last_use(result) = code_.lines.size();
   }
   int& last_use(int line) { return last_use_[static_cast<std::size_t>(line)]; }
@@ -63,7 +60,6 @@ private:
   /// Counts the values that lines before each line compute and later ones read. A piece must not begin
   /// between a sine and its cosine, nor between a product and its sum, which compilers can fuse.
   void count_live_values() {
-    constexpr int joined = 1 << 30;
     const int lines = code_.lines.size();
     live_.assign(static_cast<std::size_t>(lines) + 2, 0);
     for (int i = 0; i < lines; ++i) {
@@ -74,6 +70,7 @@ private:
     for (int i = 1; i <= lines; ++i) live(i) += live(i - 1);
     for (int i = 0; i < lines; ++i) {
       const lower::statement& s = code_.lines[i];
+      if (s.is == kind::entry) live(i) = joined;
       if (s.is != kind::operation) continue;
       if (s.op == operation::multiply && last_use(i) <= i + 2)
         for (int line = i + 1; line <= last_use(i) && line < lines; ++line) live(line) = joined;
@@ -86,10 +83,12 @@ private:
     const int lines = code_.lines.size(), slack = length / 4;
     first_ = {0};
     while (lines - first_.back() > length + slack) {
-      const int from = first_.back() + length - slack, to = first_.back() + length + slack;
+      const int to = first_.back() + length + slack, from = to - 2 * slack;
       int best = from;
       for (int line = from; line <= to; ++line)
         if (live(line) < live(best)) best = line;
+      while (best < lines && live(best) == joined) ++best;
+      if (best == lines) break;
       first_.push_back(best);
     }
     first_.push_back(lines);

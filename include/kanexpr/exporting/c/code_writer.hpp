@@ -78,9 +78,9 @@ private:
   }
 
   std::string read_for(const lower::statement& s) {
-    if (s.is == kind::choice) return read(s.by) + read(s.a) + read(s.b);
-    if (s.is != kind::operation) return {};
-    return symbolic::is_binary(s.op) ? read(s.a) + read(s.b) : read(s.a);
+    std::string text;
+    lower::for_each_operand(code_, s, [&](int place) { text += read(place); });
+    return text;
   }
 
   std::string in_memory(int line) const { return "memory[" + std::to_string(pieces_.place(line)) + ']'; }
@@ -90,9 +90,13 @@ private:
     std::string all = read_for(code_.lines[i]) + text;
     if (pieces_.place(i) == code_pieces::none) return all;
     known_line& one = own(i);
-    one.reading = declared(one.value) + in_memory(i) + ";\n";
+    all += "  " + in_memory(i) + " = " + one.value + ";\n";
+    if (code_.lines[i].is == kind::entry)
+      one.value = in_memory(i);
+    else
+      one.reading = declared(one.value) + in_memory(i) + ";\n";
     one.read_by = piece_;
-    return all + "  " + in_memory(i) + " = " + one.value + ";\n";
+    return all;
   }
 
   std::string line(int i) {
@@ -110,6 +114,14 @@ private:
       value_of_line = next("v");
       return declared(value_of_line) + name_ + "_choose(" + value(s.by) + ", " + value(s.a) + ", " +
              value(s.b) + ");\n";
+    }
+    if (s.is == kind::solution) {
+      value_of_line = next("v");
+      return solution(value_of_line, code_.systems[s.a]);
+    }
+    if (s.is == kind::entry) {
+      value_of_line = entry(value(s.a), code_.systems[code_.lines[s.a].a], s.b);
+      return {};
     }
     if (s.op == symbolic::operation::sin || s.op == symbolic::operation::cos) return sine_or_cosine(i, s);
     value_of_line = next("v");
@@ -175,6 +187,50 @@ private:
     own(i).value = is_sine ? one.sine : one.cosine;
     return std::string("  ") + number_.type() + ' ' + one.sine + ", " + one.cosine + ";\n  " + name_ +
            "_sine_and_cosine(" + value(s.a) + ", &" + one.sine + ", &" + one.cosine + ");\n";
+  }
+
+  static std::string entry(const std::string& array, const lower::solved_columns& of, int index) {
+    return array + '[' + std::to_string(index / of.columns) + "][" + std::to_string(index % of.columns) + ']';
+  }
+
+  /// An array of the right-hand sides, and a loop over its columns that replaces them by the solution.
+  std::string solution(const std::string& array, const lower::solved_columns& of) {
+    std::string text = std::string("  ") + number_.type() + ' ' + array + '[' + std::to_string(of.order) +
+                       "][" + std::to_string(of.columns) + "];\n";
+    for (int i = 0; i < of.order * of.columns; ++i)
+      if (of.is_given[i / of.columns] != 0)
+        text += "  " + entry(array, of, i) + " = " +
+                value(code_.operands[of.right_side(i / of.columns, i % of.columns)]) + ";\n";
+    const std::string column = next("j");
+    text += "  for (int " + column + " = 0; " + column + " < " + std::to_string(of.columns) + "; ++" +
+            column + ") {\n";
+    std::vector<std::string> rows;
+    for (int i = 0; i < of.order; ++i) {
+      rows.push_back(next("x"));
+      const bool is_given = of.is_given[i] != 0;
+      if (!is_given && of.steps.filled[i] == 0) continue;
+      text += std::string("    ") + number_.type() + ' ' + rows.back();
+      text += is_given ? " = " + at(array, i, column) + ";\n" : ";\n";
+    }
+    for (const numeric::column_step& s : of.steps.all) {
+      const std::string &to = rows[static_cast<std::size_t>(s.to)],
+                        &from = rows[static_cast<std::size_t>(s.from)],
+                        &factor = value(code_.operands[of.operands + s.factor]);
+      text += "    " + to + " = ";
+      if (s.is_pivot())
+        text += from + " * " + factor + ";\n";
+      else if (s.fills)
+        text += "-(" + factor + " * " + from + ");\n";
+      else
+        text += to + " - " + factor + " * " + from + ";\n";
+    }
+    for (int i = 0; i < of.order; ++i)
+      if (of.steps.filled[i] != 0)
+        text += "    " + at(array, i, column) + " = " + rows[static_cast<std::size_t>(i)] + ";\n";
+    return text + "  }\n";
+  }
+  static std::string at(const std::string& array, int row, const std::string& column) {
+    return array + '[' + std::to_string(row) + "][" + column + ']';
   }
 
   std::string operation(const lower::statement& s) const {

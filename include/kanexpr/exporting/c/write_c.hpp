@@ -33,6 +33,8 @@ namespace detail {
 
 inline outcome write_c(const exported& of, const std::filesystem::path& folder, const c_options& chosen) {
   if (!of.mistake.empty()) return outcome(of.mistake);
+  if (chosen.lengths.longest < 1 || chosen.lengths.piece < 1)
+    return outcome("functions must be allowed to have at least one line");
   if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
     return outcome(mistake);
   const c_file file(of.system, chosen.number, chosen.lengths);

@@ -237,7 +237,7 @@ private:
     node value[constant_room];
   };
   /// The hash table there. base::zeros provides such an array too, but only by a call.
-  struct slots {
+  struct hash_table {
     int value[2 * constant_room]{};
   };
 
@@ -336,7 +336,7 @@ private:
     room_ = nodes;
     if (__builtin_is_constant_evaluated()) {
       delete slots_;
-      slots_ = new slots();
+      slots_ = new hash_table();
       table_ = slots_->value;
     } else {
       places_ = base::zeros<int>(2 * nodes);
@@ -356,7 +356,7 @@ private:
   }
 
   block* block_ = nullptr; ///< only in constant evaluation
-  slots* slots_ = nullptr; ///< likewise
+  hash_table* slots_ = nullptr; ///< likewise
   node* nodes_ = nullptr;
   int size_ = 0;
   int room_ = 0;
