@@ -36,8 +36,8 @@ inline constexpr std::string_view c_helpers = template_text(
 
 } // namespace detail
 
-/// Writes NAME.h and NAME.c: a C99 function for each function of the system, with loops of fixed length, without
-/// other branches and without allocating memory.
+/// Writes NAME.h and NAME.c: a C99 function for each function of the system, with loops of fixed length,
+/// without other branches and without allocating memory.
 class c_file {
 public:
   c_file(const exported_system& s, precision number, const function_lengths& allowed = {})
