@@ -202,18 +202,20 @@ private:
 
   std::string piece(const exported_function& f, code_writer& writer, int index) const {
     std::vector<std::string> all = arguments(f);
-    all.emplace_back("memory");
+    all.push_back(writer.memory());
     return '\n' + name() + "_PIECE void " + name_of_piece(f, index) + '(' + declared_arguments(f) + ", " +
-           number_.type() + " *memory) {\n" + writer.piece(index) + unused(all) + "}\n";
+           number_.type() + " *" + writer.memory() + ") {\n" + writer.piece(index) + unused(all) + "}\n";
   }
 
-  std::string calls_of_pieces(const exported_function& f, const code_pieces& pieces) const {
+  std::string calls_of_pieces(const exported_function& f, const code_writer& writer) const {
+    const code_pieces& pieces = writer.pieces();
     if (pieces.count() == 0) return {};
-    std::string text = std::string("  ") + number_.type() + " memory[" +
+    std::string text = std::string("  ") + number_.type() + ' ' + writer.memory() + '[' +
                        std::to_string((std::max)(pieces.places(), 1)) + "];\n";
     for (int i = 0; i < pieces.count(); ++i)
       text += "  " + name_of_piece(f, i) + '(' +
-              joined(arguments(f), ", ", [](const std::string& each) { return each; }) + ", memory);\n";
+              joined(arguments(f), ", ", [](const std::string& each) { return each; }) + ", " +
+              writer.memory() + ");\n";
     return text;
   }
 
@@ -221,8 +223,7 @@ private:
     code_writer writer(f, system(), name(), number_, allowed_);
     std::string text;
     for (int i = 0; i < writer.pieces().count(); ++i) text += piece(f, writer, i);
-    text += '\n' + signature(f) + " {\n" + calls_of_pieces(f, writer.pieces()) + writer.lines() +
-            unused(arguments(f));
+    text += '\n' + signature(f) + " {\n" + calls_of_pieces(f, writer) + writer.lines() + unused(arguments(f));
     for (const exported_result& each : f.results)
       if (each.entries() == 0) text += "  (void)" + each.name + ";\n";
     for (const exported_result& each : f.results)

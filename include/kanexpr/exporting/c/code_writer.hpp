@@ -26,13 +26,15 @@ public:
     names_.reserve_words_of_mathematics();
     names_.reserve("t x p r a w");
     if (of.takes_step) names_.reserve("h");
-    if (pieces_.count() > 0) names_.reserve("memory");
     for (const exported_result& each : of.results) names_.reserve(each.name);
+    if (pieces_.count() > 0) memory_ = names_.unique("memory");
   }
 
   const code_pieces& pieces() const { return pieces_; }
+  /// The name of the array in which the pieces store values for each other.
+  const std::string& memory() const { return memory_; }
 
-  /// Returns the lines of a piece, which stores the values that other pieces need in the array `memory`. The
+  /// Returns the lines of a piece, which stores the values that other pieces need in `memory()`. The
   /// pieces must be written in their order.
   std::string piece(int index) {
     piece_ = index;
@@ -83,7 +85,7 @@ private:
     return text;
   }
 
-  std::string in_memory(int line) const { return "memory[" + std::to_string(pieces_.place(line)) + ']'; }
+  std::string in_memory(int line) const { return memory_ + '[' + std::to_string(pieces_.place(line)) + ']'; }
 
   std::string line_and_store(int i) {
     const std::string text = line(i);
@@ -274,6 +276,7 @@ private:
   code_pieces pieces_;
   std::vector<known_line> lines_;
   int piece_ = 0; ///< the one that is being written
+  std::string memory_{};
   std::vector<angle> angles_{};
   int count_ = 0;
 };
