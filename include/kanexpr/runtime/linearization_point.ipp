@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 
