@@ -355,7 +355,7 @@ private:
     nodes_ = nullptr;
   }
 
-  block* block_ = nullptr; ///< only in constant evaluation
+  block* block_ = nullptr;      ///< only in constant evaluation
   hash_table* slots_ = nullptr; ///< likewise
   node* nodes_ = nullptr;
   int size_ = 0;
