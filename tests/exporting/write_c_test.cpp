@@ -62,8 +62,7 @@ TEST(WriteC, DerivesTheSystemOnce) {
 TEST(WriteC, DividesOnlyLongFunctions) {
   const folder to;
   ASSERT_TRUE(write_c<simple_pendulum::System>(to.path, "whole"));
-  ASSERT_TRUE(
-      write_c<simple_pendulum::System>(to.path, "divided", {.lengths = {.longest = 8, .piece = 4}}));
+  ASSERT_TRUE(write_c<simple_pendulum::System>(to.path, "divided", {.lengths = {.longest = 8, .piece = 4}}));
   EXPECT_THAT(to.text_of("whole.c"), testing::Not(HasSubstr("piece")));
   EXPECT_THAT(to.text_of("divided.c"),
               HasSubstr("divided_PIECE void divided_explicit_form_piece_2(double t"));
