@@ -189,7 +189,7 @@ public:
       into_->is_full = true;
     } else {
       auto& integer = into_->integer;
-      for (int i = 0; i < length; ++i) integer[into_->integers + i] = letters[i];
+      for (int i = 0; i < length; ++i) integer[into_->integers + i] = static_cast<unsigned char>(letters[i]);
       into_->integers += length;
     }
   }

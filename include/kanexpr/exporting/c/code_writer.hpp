@@ -218,13 +218,13 @@ private:
       const std::string &to = rows[static_cast<std::size_t>(s.to)],
                         &from = rows[static_cast<std::size_t>(s.from)],
                         &factor = value(code_.operands[of.operands + s.factor]);
-      text += "    " + to + " = ";
+      text.append("    ").append(to).append(" = ");
       if (s.is_pivot())
-        text += from + " * " + factor + ";\n";
+        text.append(from).append(" * ").append(factor).append(";\n");
       else if (s.fills)
-        text += "-(" + factor + " * " + from + ");\n";
+        text.append("-(").append(factor).append(" * ").append(from).append(");\n");
       else
-        text += to + " - " + factor + " * " + from + ";\n";
+        text.append(to).append(" - ").append(factor).append(" * ").append(from).append(";\n");
     }
     for (int i = 0; i < of.order; ++i)
       if (of.steps.filled[i] != 0)
