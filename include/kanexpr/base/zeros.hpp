@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 namespace kanexpr::base {
 
 /// An array of numbers that are initially zero, for marks at the nodes of a graph.
@@ -15,6 +17,10 @@ template <class Number>
 class zeros {
 public:
   static constexpr int room = 1 << 22; ///< in constant evaluation
+
+  /// What `elements` refers to.
+  template <bool is_constant>
+  using array = std::conditional_t<is_constant, Number[room], Number*>;
 
   constexpr zeros() = default;
   constexpr explicit zeros(int size) : size_(size) {

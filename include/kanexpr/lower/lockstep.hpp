@@ -38,10 +38,6 @@ struct lockstep {
   constexpr int count() const { return lanes == 0 ? 0 : members.size() / lanes; }
 };
 
-/// The array of `base::zeros` in constant evaluation.
-template <class Number>
-using slot_marks = Number[base::zeros<Number>::room];
-
 namespace detail {
 
 /// Finds the steps that have the same operands in each of several equal branches, beginning with their
@@ -272,12 +268,13 @@ private:
   base::zeros<int> first_users_{first_ + end_ + 2}, users_{2 * end_ + 1};
   base::zeros<char> depend_on_branches_{first_ + end_};
   const decltype(Tape::op)& op_{tape_.op};
-  slot_marks<int>&bundle_{found_.bundles.elements<true>()}, &root_{found_.root.elements<true>()},
-      &a_{found_.a.elements<true>()}, &b_{found_.b.elements<true>()},
+  base::zeros<int>::array<true>&bundle_{found_.bundles.elements<true>()},
+      &root_{found_.root.elements<true>()}, &a_{found_.a.elements<true>()}, &b_{found_.b.elements<true>()},
       &first_user_{first_users_.elements<true>()}, &user_{users_.elements<true>()};
-  slot_marks<char>&inside_{depend_on_branches_.elements<true>()}, &lane_{found_.lane.elements<true>()},
-      &minus_{found_.minus.elements<true>()}, &minus_a_{found_.minus_a.elements<true>()},
-      &minus_b_{found_.minus_b.elements<true>()}, &negated_{found_.negated.elements<true>()};
+  base::zeros<char>::array<true>&inside_{depend_on_branches_.elements<true>()},
+      &lane_{found_.lane.elements<true>()}, &minus_{found_.minus.elements<true>()},
+      &minus_a_{found_.minus_a.elements<true>()}, &minus_b_{found_.minus_b.elements<true>()},
+      &negated_{found_.negated.elements<true>()};
 };
 
 } // namespace detail

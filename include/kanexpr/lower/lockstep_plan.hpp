@@ -246,12 +246,12 @@ private:
   lockstep_entries out_;
   base::zeros<int> entries_{tasks_}, tasks_of_slots_{slots_}, stack_{8 * tasks_};
   const decltype(Tape::op)& op_{tape_.op};
-  const slot_marks<int>&root_{l_.root.elements<true>()}, &a_{l_.a.elements<true>()},
+  const base::zeros<int>::array<true>&root_{l_.root.elements<true>()}, &a_{l_.a.elements<true>()},
       &b_{l_.b.elements<true>()}, &bundle_{l_.bundles.elements<true>()};
-  const slot_marks<char>&lane_{l_.lane.elements<true>()}, &minus_{l_.minus.elements<true>()},
+  const base::zeros<char>::array<true>&lane_{l_.lane.elements<true>()}, &minus_{l_.minus.elements<true>()},
       &minus_a_{l_.minus_a.elements<true>()}, &minus_b_{l_.minus_b.elements<true>()},
       &negated_{l_.negated.elements<true>()};
-  slot_marks<int>&entry_{entries_.elements<true>()}, &task_{tasks_of_slots_.elements<true>()},
+  base::zeros<int>::array<true>&entry_{entries_.elements<true>()}, &task_{tasks_of_slots_.elements<true>()},
       &open_{stack_.elements<true>()}, &to_action_{out_.action.elements<true>()},
       &to_place_{out_.place.elements<true>()}, &to_a_{out_.a.elements<true>()},
       &to_b_{out_.b.elements<true>()}, &to_c_{out_.c.elements<true>()}, &to_d_{out_.d.elements<true>()};
