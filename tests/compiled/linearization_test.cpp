@@ -123,6 +123,50 @@ TEST(linearization, checks_every_entry_that_may_not_be_finite) {
   }
 }
 
+/// Blocks on a line, each on a spring of its own: nearly all entries of A are zero.
+namespace blocks {
+
+using namespace kanexpr;
+
+template <int i>
+constexpr coordinate<"q", i> q;
+template <int i>
+constexpr speed<"u", i> u;
+template <int i>
+constexpr parameter<"w", i> w; // the root of the stiffness
+
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+template <int i>
+struct Place : offset<Place<i>, O, q<i> * N::x> {};
+template <int i>
+struct Block : particle<Block<i>, Place<i>, 1> {};
+
+template <int... i>
+using row = kane_system<inertial<N>, coordinates<q<i>...>, speeds<u<i>...>,
+                        kinematics<(dot(q<i>) == u<i>)...>, parameters<w<i>...>, bodies<Block<i>...>,
+                        loads<force<Place<i>, -w<i> * w<i> * q<i> * N::x>...>>;
+struct System : row<1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12> {};
+
+} // namespace blocks
+
+// So many entries are checked in windows. An overflow must be found wherever it is.
+TEST(linearization, checks_every_entry_of_a_large_matrix) {
+  using of_blocks = kanexpr::linearization<blocks::System>;
+  const of_blocks::state x = of_blocks::state::Constant(0.1);
+  const of_blocks::inputs r;
+  of_blocks::parameters p;
+  p.setOnes();
+  EXPECT_TRUE(std::get<0>(without_heap(of_blocks::explicit_form, x, p, r)).status);
+  for (int i = 0; i < 12; ++i) {
+    p[i] = 1e200;
+    const auto [A, B] = without_heap(of_blocks::explicit_form, x, p, r);
+    EXPECT_EQ(A.status.cause(), "a result is not finite at this state") << i;
+    EXPECT_EQ(A(12 + i, i), -std::numeric_limits<double>::infinity());
+    p[i] = 1;
+  }
+}
+
 // M is returned but not solved with; the other matrices depend on u̇ and the multipliers.
 TEST(linearization, with_multipliers_tells_where_the_mass_matrix_is_singular) {
   namespace circle = pendulum_nonminimal;
