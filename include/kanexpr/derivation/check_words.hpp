@@ -30,7 +30,7 @@ constexpr sentence check_symbol_among_words(const describe::token& t, std::strin
 /// Checks for base classes in addition to a system or one of its words: `struct System : kane_system<…>,
 /// loads<…>`.
 template <class Type>
-constexpr sentence check_base_classes() {
+consteval sentence check_base_classes() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Type);
   if constexpr (__is_base_of(describe::load_words, Type)) {
     return sentence(
@@ -53,7 +53,7 @@ struct kind_and_hint {
   std::string_view kind, hint, end = "";
 };
 template <class Type>
-constexpr kind_and_hint kind_of_misplaced() {
+consteval kind_and_hint kind_of_misplaced() {
   if constexpr (requires { Type::joint_description(); })
     return {"joint ", "; write joints<", ">"};
   else if constexpr (requires { Type::content(); })
@@ -70,7 +70,7 @@ constexpr kind_and_hint kind_of_misplaced() {
 
 /// Checks that an argument of a system is one of its words.
 template <class Type>
-constexpr sentence check_word(std::string_view system) {
+consteval sentence check_word(std::string_view system) {
   constexpr kind_and_hint entity = kind_of_misplaced<Type>();
   if constexpr (describe::system_word<Type>)
     return check_base_classes<Type>();
@@ -91,7 +91,7 @@ constexpr sentence check_word(std::string_view system) {
 }
 
 template <describe::method by, class... Words>
-constexpr sentence check_each_word(std::string_view system, const describe::system_of_words<by, Words...>*) {
+consteval sentence check_each_word(std::string_view system, const describe::system_of_words<by, Words...>*) {
   sentence found;
   ((found = found ? found : check_word<Words>(system)), ...);
   return found;
@@ -138,16 +138,17 @@ constexpr bool lists_joint(const describe::listing<describe::body_record>& bodie
 
 /// Checks for words that belong to the other method, and for incompatible words.
 template <class System>
-constexpr sentence check_method(std::string_view called) {
-  const bool bodies = System::count_of_word("bodies") != 0 || brings_body(System::record.joints),
-             whole = System::count_of_word("lagrangian") != 0;
+consteval sentence check_method(std::string_view called) {
+  const bool bodies =
+                 describe::count_of_word(System::words, "bodies") != 0 || brings_body(System::record.joints),
+             whole = describe::count_of_word(System::words, "lagrangian") != 0;
   if (System::record.derived_by == describe::method::kane) {
     if (whole)
       return sentence({"the system ", called, " has lagrangian<...>, which only a lagrange_system takes"});
     return {};
   }
   for (std::string_view word : {"speeds", "kinematics", "auxiliary", "reactions"})
-    if (System::count_of_word(word) != 0)
+    if (describe::count_of_word(System::words, word) != 0)
       return sentence({"the system ", called, " has ", word,
                        "<...>; the only speeds of a lagrange_system are the rates of its coordinates"});
   if (bodies && whole)
@@ -160,7 +161,7 @@ constexpr sentence check_method(std::string_view called) {
 
 /// Checks for missing, repeated and unknown words.
 template <class System>
-constexpr sentence check_words() {
+consteval sentence check_words() {
   constexpr std::string_view called = type_name<System>();
   if constexpr (describe::is_unparsed<System>()) {
     return sentence({called, " has no base class; derive it from kane_system<...> or lagrange_system<...>"});
@@ -178,7 +179,7 @@ constexpr sentence check_words() {
     sentence found = check_method<System>(called);
     const auto needs = [&](std::initializer_list<std::string_view> words) {
       for (std::string_view word : words)
-        if (!found && System::count_of_word(word) == 0)
+        if (!found && describe::count_of_word(System::words, word) == 0)
           found = sentence({"the system ", called, " has no ", word, "<...>"});
     };
     needs({"inertial"});
@@ -186,7 +187,7 @@ constexpr sentence check_words() {
     if (lists_joint(System::record.bodies)) return found;
     if (has_deforming_body(System::record.bodies) || is_on_deforming_body(System::record.bodies)) {
       // brings symbols and their kinematic equations
-    } else if (System::count_of_word("joints") == 0) {
+    } else if (describe::count_of_word(System::words, "joints") == 0) {
       needs({"coordinates"});
       if (is_kane) needs({"speeds", "kinematics", "bodies"});
     } else if (is_kane && !brings_body(System::record.joints)) {
@@ -195,7 +196,7 @@ constexpr sentence check_words() {
     if (found) return found;
     const auto once = [&](std::initializer_list<std::string_view> words) {
       for (std::string_view word : words)
-        if (!found && System::count_of_word(word) > 1)
+        if (!found && describe::count_of_word(System::words, word) > 1)
           found = sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
     };
     once({"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",

@@ -6,7 +6,6 @@
 
 #include <boost/hana/for_each.hpp>
 #include <boost/hana/tuple.hpp>
-#include <boost/hana/type.hpp>
 
 #include <string_view>
 
@@ -44,17 +43,39 @@ struct system_record {
 template <class Word>
 concept system_word = requires(system_record& r) { Word::add_to(r); };
 
+/// A word without its type, so that what handles all words of a system is instantiated for their number only.
+/// Functions that depend on the words themselves are consteval where possible: compilers form the symbol
+/// names of all others, which contain every expression of a list.
+struct word_record {
+  std::string_view word{};
+  void (*add_to)(system_record&) = nullptr;
+};
+
 template <class Word>
-constexpr std::string_view word_of() {
+consteval word_record record_word() {
   if constexpr (system_word<Word>)
-    return Word::word;
+    return {Word::word, &Word::add_to};
   else
     return {};
 }
 
-template <class Word>
-constexpr void add_word(system_record& r) {
-  if constexpr (system_word<Word>) Word::add_to(r);
+template <class... Records>
+constexpr int count_of_word(const boost::hana::tuple<Records...>& words, std::string_view wanted) {
+  int times = 0;
+  boost::hana::for_each(words, [&](const word_record& each) {
+    if (each.word == wanted) ++times;
+  });
+  return times;
+}
+
+template <class... Records>
+constexpr system_record record_system(method derived_by, const boost::hana::tuple<Records...>& words) {
+  system_record r;
+  r.derived_by = derived_by;
+  boost::hana::for_each(words, [&](const word_record& each) {
+    if (each.add_to != nullptr) each.add_to(r);
+  });
+  return r;
 }
 
 /// A word that lists expressions in a member of the record.
@@ -185,22 +206,8 @@ namespace describe {
 /// A system, with its words in any order.
 template <method derived_by, class... Words>
 struct system_of_words : whole_systems {
-  static constexpr auto words = boost::hana::tuple_t<Words...>;
-
-  static constexpr int count_of_word(std::string_view wanted) {
-    int times = 0;
-    boost::hana::for_each(words, [&](auto word) {
-      if (word_of<typename decltype(word)::type>() == wanted) ++times;
-    });
-    return times;
-  }
-
-  static constexpr system_record record = [] {
-    system_record r;
-    r.derived_by = derived_by;
-    boost::hana::for_each(words, [&](auto word) { add_word<typename decltype(word)::type>(r); });
-    return r;
-  }();
+  static constexpr auto words = boost::hana::make_tuple(record_word<Words>()...);
+  static constexpr system_record record = record_system(derived_by, words);
 };
 
 } // namespace describe

@@ -52,9 +52,9 @@ public:
   constexpr value evaluate(const phrase& p, std::string_view whom) {
     if (p.kind == shape::vanishing || p.kind == shape::kinematics || p.kind == shape::simple)
       reading_.fail({reading_.part, whom, is_a(p.kind), "it must be an expression"});
-    const sequence<value> found = evaluate_each(p, whom);
+    sequence<value> found = evaluate_each(p, whom);
     if (reading_.mistake || found.empty()) return value::of(m_.zero());
-    return found.back();
+    return static_cast<value&&>(found.back());
   }
 
   /// Returns the values of a phrase that consists of several expressions.
@@ -85,7 +85,7 @@ public:
   constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
     const std::string_view before = reading_.part;
     reading_.part = what;
-    const value v = evaluate(p, whom);
+    value v = evaluate(p, whom);
     reading_.part = before;
     return v;
   }
@@ -102,9 +102,9 @@ public:
     return m_.zero();
   }
   constexpr mechanics::vector vector_of(const phrase& p, text_pieces what, std::string_view whom) {
-    const value v = evaluate_part(*what.begin(), p, whom);
+    value v = evaluate_part(*what.begin(), p, whom);
     if (reading_.mistake) return {};
-    if (p.kind == shape::vector) return v.vector;
+    if (p.kind == shape::vector) return static_cast<mechanics::vector&&>(v.vector);
     reading_.fail({what.begin()[0], what.begin()[1], is_a(p.kind), "it must be a vector"});
     return {};
   }

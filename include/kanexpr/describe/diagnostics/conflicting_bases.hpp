@@ -114,7 +114,7 @@ constexpr base_conflict find_base_conflict() {
 /// Whether a system, or a word of a system, has an additional base class that should be one of the system's
 /// words.
 template <class Type>
-constexpr bool has_misplaced_word() {
+consteval bool has_misplaced_word() {
   return __is_base_of(orientation_words, Type) || __is_base_of(place_words, Type) ||
          __is_base_of(body_words, Type) || __is_base_of(angular_velocity_words, Type) ||
          __is_base_of(velocity_words, Type) || __is_base_of(fixing_words, Type) ||

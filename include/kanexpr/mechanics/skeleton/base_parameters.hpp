@@ -14,7 +14,7 @@ namespace detail {
 /// The links being gathered: at most one for each station and frame.
 class mass_regrouping {
 public:
-  constexpr mass_regrouping(const skeleton& s, const sequence<link>& links) : s_(s) {
+  constexpr mass_regrouping(const skeleton& s, const sequence<link>& links) : s_(s), at_(s.stations.size()) {
     for (const link& l : links) put(l);
   }
 
@@ -23,8 +23,8 @@ public:
   constexpr sequence<link> run(bool regroup) {
     for (int c = s_.stations.size() - 1; c >= 0; --c)
       for (int i = deepest_at(c); i >= 0; i = deepest_at(c)) {
-        const link l = links_[i];
-        links_[i].station = none;
+        const link l = at_[c][i];
+        at_[c][i].station = none;
         const station& at = s_.stations[c];
         if (l.frame == at.frame && at.rigid && !at.absolute && !is_about_its_center(l.frame))
           put({at.parent, l.frame, shifted(l.mass, at.r)});
@@ -45,20 +45,20 @@ private:
   }
 
   constexpr void put(const link& added) {
-    for (link& l : links_)
-      if (l.station == added.station && l.frame == added.frame) {
+    for (link& l : at_[added.station])
+      if (l.station != none && l.frame == added.frame) {
         l.mass += added.mass;
         return;
       }
-    links_.push(added);
+    at_[added.station].push(added);
   }
 
   /// The remaining link at station `c` whose frame is the farthest from the ground, or -1.
   constexpr int deepest_at(int c) const {
     int found = -1, depth = -1;
-    const link* const links = links_.begin();
-    for (int i = 0, end = links_.size(); i < end; ++i) {
-      if (links[i].station != c) continue;
+    const link* const links = at_[c].begin();
+    for (int i = 0, end = at_[c].size(); i < end; ++i) {
+      if (links[i].station == none) continue;
       const int d = path::depth(*s_.model, links[i].frame);
       if (d > depth) found = i, depth = d;
     }
@@ -110,8 +110,8 @@ private:
 
   /// Whether a mass at the station moves with `frame` and the frame is not the ground.
   constexpr bool carries(int station, int frame) const {
-    for (const link& l : links_)
-      if (l.station == station && l.frame == frame) return frame != mechanism::inertial;
+    for (const link& l : at_[station])
+      if (l.station != none && l.frame == frame) return frame != mechanism::inertial;
     return false;
   }
 
@@ -126,7 +126,7 @@ private:
   }
 
   const skeleton& s_;
-  sequence<link> links_{};
+  sequence<sequence<link>> at_; ///< by station; those that have been taken away have none
   sequence<link> settled_{};
 };
 

@@ -67,14 +67,15 @@ struct skeleton {
   sequence<link> links{};      ///< all masses, combined if they move as one body
   sequence<link> base_links{}; ///< an equivalent set with fewer parameters: masses are regrouped across
                                ///< joints, see base_parameters.hpp
-  sequence<flexible_part> flexible_parts{}; ///< the flexible bodies, in the order of the mechanism
+  sequence<flexible_part> flexible_parts{};       ///< the flexible bodies, in the order of the mechanism
+  sequence<components> offsets_in_working_axes{}; ///< by station, if they were needed
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.model, self.coordinate_rates, self.rate_blocks, self.rigid_with, self.turns_in,
           self.relative_angular_velocity, self.body_axes, self.working_axes, self.partial_angular_velocities,
           self.stations, self.partial_velocities, self.station_of_point, self.links, self.base_links,
-          self.flexible_parts);
+          self.flexible_parts, self.offsets_in_working_axes);
   }
 
   /// Whether the inertia of a rigid body is given along axes that are fixed in the body, and about its mass
@@ -92,9 +93,14 @@ struct skeleton {
     return rigid_with.size() < model->frames.size() || station_of_point.size() < model->points.size();
   }
 
-  constexpr components offset_in_working_axes(int n) const {
+  /// The offset of a station in working axes. It is formed when it is first needed, because the order of the
+  /// nodes determines the code, and kept, because the path between the axes can be as long as a chain.
+  constexpr const components& offset_in_working_axes(int n) const {
+    // the elements are not part of the constant object; g++ evaluates no mutable members
+    components& r = const_cast<components&>(offsets_in_working_axes[n]);
     const station& at = stations[n];
-    return express(*model, at.r, at.offset_frame, working_axes[at.frame]);
+    if (!r.x.is_given()) r = express(*model, at.r, at.offset_frame, working_axes[at.frame]);
+    return r;
   }
 
   /// The rotating frames; each precedes the frame in which it rotates.

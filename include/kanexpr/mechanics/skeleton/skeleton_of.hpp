@@ -177,6 +177,7 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   choose_working_axes(s);
   form_partial_velocities(s);
   form_flexible_parts(s);
+  s.offsets_in_working_axes.resize(s.stations.size());
   return s;
 }
 
@@ -191,6 +192,7 @@ constexpr void extend(skeleton& s) {
   build.express_offsets(stations);
   merge_rigid_offsets(s, stations);
   form_partial_velocities(s);
+  s.offsets_in_working_axes.resize(s.stations.size());
 }
 
 } // namespace kanexpr::mechanics
