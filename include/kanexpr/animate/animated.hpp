@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/animate/scene.hpp>
-#include <kanexpr/compiled/units_of.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -27,7 +26,7 @@ class compiled_scene final : public scene {
 
 public:
   explicit compiled_scene(const Trajectory& trajectory)
-      : scene(compiled::survey_of<System>, compiled::stated_units_of<System>(), records_of<Picture>::list,
+      : scene(compiled::survey_of<System>, records_of<Picture>::units(), records_of<Picture>::all.list,
               code(), numbers_in::count + energies, numbers_in::first_rate, numbers_in::rate_count,
               amplitudes_in(System::record.bodies)),
         trajectory_(trajectory) {}

@@ -6,6 +6,7 @@
 #include <kanexpr/compiled/function.hpp>
 
 #include <array>
+#include <span>
 
 namespace kanexpr {
 
@@ -44,14 +45,14 @@ struct layout {
   std::array<int, elements + 1> begin{};
 
   constexpr explicit layout(const phrases<sizes>&... lists) {
-    std::size_t element = 0, next = 0;
-    (
-        [&] {
-          for (const phrase& p : lists) all[next++] = p;
-          begin[element + 1] = begin[element] + numbers_in(lists);
-          ++element;
-        }(),
-        ...);
+    const std::array<std::span<const phrase>, elements> given{lists...};
+    for (std::size_t element = 0, next = 0; element < elements; ++element) {
+      begin[element + 1] = begin[element];
+      for (const phrase& p : given[element]) {
+        begin[element + 1] += numbers_in(p);
+        all[next++] = p;
+      }
+    }
   }
   constexpr int numbers() const { return begin[elements]; }
 };

@@ -5,6 +5,7 @@
 #include <kanexpr/animate/picture.hpp>
 #include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/units_of.hpp>
 #include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/beam_record.hpp>
@@ -73,12 +74,20 @@ constexpr element_record record_of_element() {
   return r;
 }
 
+/// The elements of a picture, and the units of its model if it was read for the units of arrows and plots.
+template <std::size_t count>
+struct element_records {
+  std::array<element_record, count> list{};
+  mechanics::unit_table units{};
+};
+
 /// Infers the units of arrows and plots, if the model states any units.
 template <class System, std::size_t count>
-constexpr void infer_units(std::array<element_record, count>& all) {
+constexpr void infer_units(element_records<count>& all) {
   if constexpr (compiled::survey_of<System>.states_units) {
     derivation::model_units model(System::record);
-    for (element_record& r : all) {
+    if (compiled::survey_of<System>.checks_units) all.units = model.table();
+    for (element_record& r : all.list) {
       if (r.quantity == nullptr) continue;
       if (const mechanics::possible_unit found = model.unit_of(*r.quantity))
         r.unit_of_model = units::text_of(*found);
@@ -96,17 +105,25 @@ struct records_of<picture<System, Elements...>> : records_in<System, elements_of
 
 template <class System, class... Elements>
 struct records_in<System, element_list<Elements...>> {
-  static constexpr std::array<element_record, sizeof...(Elements)> list = [] {
+  static constexpr element_records<sizeof...(Elements)> all = [] {
     using numbers = numbers_in_list<element_list<Elements...>>;
-    std::array<element_record, sizeof...(Elements)> made{record_of_element<Elements>()...};
-    for (std::size_t i = 0; i < made.size(); ++i) {
-      made[i].first_varying = numbers::varying.begin[i];
-      made[i].first_constant = numbers::first_constant + numbers::constant.begin[i];
-      made[i].first_rate = numbers::rates.begin[i];
+    element_records<sizeof...(Elements)> made{{record_of_element<Elements>()...}};
+    for (std::size_t i = 0; i < made.list.size(); ++i) {
+      made.list[i].first_varying = numbers::varying.begin[i];
+      made.list[i].first_constant = numbers::first_constant + numbers::constant.begin[i];
+      made.list[i].first_rate = numbers::rates.begin[i];
     }
     infer_units<System>(made);
     return made;
   }();
+
+  /// The units of the model; null if it states none.
+  static constexpr const mechanics::unit_table* units() {
+    if constexpr (compiled::survey_of<System>.checks_units) // the same as those of the system, read only once
+      return &all.units;
+    else
+      return compiled::stated_units_of<System>();
+  }
 };
 
 /// The number of amplitudes of beams and other flexible bodies.

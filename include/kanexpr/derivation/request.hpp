@@ -130,11 +130,31 @@ constexpr void visit(std::span<const request> all, reader& r) {
 
 namespace detail {
 
+/// A vector among the values of phrases, by the tokens of its phrase.
+struct evaluated_vector {
+  const describe::token* tokens = nullptr;
+  int size = 0;
+  int first_entry = 0;
+};
+
+/// Returns the index of the first component of a phrase that was evaluated before; -1 if it was not.
+constexpr int first_entry_of(const phrase& p, const sequence<evaluated_vector>& vectors) {
+  for (const evaluated_vector& each : vectors)
+    if (each.tokens == p.tokens && each.size == p.size) return each.first_entry;
+  return -1;
+}
+
 /// Returns the values of phrases, one below the other, with the symbols q̇ and u̇. A vector contributes its
-/// components in inertial axes, or in the axes selected by in_axes_of.
+/// components in inertial axes, or in the axes selected by in_axes_of. A picture requests most of its places
+/// several times; the components of a repeated vector are copied.
 constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mechanism& m) {
   symbolic::matrix column(*m.g, 0, 1);
+  sequence<evaluated_vector> vectors;
   for (const phrase& p : wanted.phrases) {
+    if (const int first = first_entry_of(p, vectors); first >= 0) {
+      for (int k = 0; k < 3; ++k) column.entries.push(expression(column.entries[first + k]));
+      continue;
+    }
     const value v = r.evaluate(p, wanted.whom);
     if (v.kind == shape::dyadic) {
       r.fail("a function requests a dyadic; it must request a scalar or a vector");
@@ -148,6 +168,7 @@ constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mec
         p.tokens[p.size - 1].what == describe::token_kind::in_axes && v.vector.parts.size() == 1;
     const components c =
         is_put_in_axes ? v.vector.parts[0].value : mechanics::express(m, v.vector, mechanism::inertial);
+    vectors.push({p.tokens, p.size, column.entries.size()});
     for (int k = 0; k < 3; ++k) column.entries.push(c[k]);
   }
   column.rows = column.entries.size();
