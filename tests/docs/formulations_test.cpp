@@ -208,7 +208,8 @@ TEST(formulations, have_no_negative_weights) {
 
 // About the mass centers, there are more sums and fewer products.
 TEST(formulations, depend_on_the_weights) {
-  const explain_options plain{.searches = false}, free_sums{.weights = {.addition = 0}, .searches = false};
+  const explain_options plain{.searches = false},
+      free_sums{.weights = operation_weights{.addition = 0}, .searches = false};
   int changed = 0;
   for (int links = 5; links <= 12; ++links) {
     const chain b(links, false);
@@ -219,6 +220,10 @@ TEST(formulations, depend_on_the_weights) {
     EXPECT_LE(explain(with_weights, free_sums).chosen().weighted, by_products.chosen().weighted);
   }
   EXPECT_GT(changed, 0);
+
+  chain b(3, false);
+  b.weighted_by({.addition = 0});
+  EXPECT_EQ(explain(b, plain).text(), explain(b, free_sums).text());
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <kanexpr/exporting/casadi/write_casadi.hpp>
 #include <kanexpr/exporting/command_line.hpp>
 #include <kanexpr/exporting/shell.hpp>
+#include <kanexpr/robots/identifiers.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
 #include <kanexpr/robots/robot_builder.hpp>
 #ifdef KANEXPR_ROBOTS_READ_SDF
@@ -227,7 +228,7 @@ int main(int count, char** arguments) {
   add("file", r.file, "a robot file (.urdf, .sdf or .world), or the header of a model, which $CXX compiles")
       ->required();
   add("-s,--system", r.system, "the system in the header, as in arm::System");
-  add("-n,--name", r.name, "the name of the exported system; default: the file name without its extension");
+  add("-n,--name", r.name, "the name of the exported system; default: that of the file");
   add("-o,--output", r.folder, "the output folder")->required();
   add_choice("--format", r.format, names, "the output format; default: c");
   add_choice("--scalar", r.scalar, {"double", "float"}, "the scalar type; default: double");
@@ -249,8 +250,10 @@ int main(int count, char** arguments) {
   app.add_flag("--with-cpp", r.with_cpp, "also write a C++ header with the names of the model");
   add_repeated("-I,--include", r.include, "a folder to search for included headers; may be repeated");
   add_choice("--base", r.base, {"fixed", "floating"}, "the base of the robot: fixed (default) or floating");
-  add_choice("--values", r.bind_robot, {"numbers", "parameters"},
-             "export the masses and lengths of the robot as numbers (default) or as parameters");
+  add_choice(
+      "--values", r.bind_robot, {"numbers", "parameters"},
+      "whether masses, mass centers, inertias, dampings and gravity of the robot are numbers (default) or "
+      "parameters");
   app.add_flag("-q,--quiet", r.quiet, "suppress the notes about the robot file");
   CLI11_PARSE(app, count, arguments);
   if (const std::string wrong = inapplicable_option(app, r); !wrong.empty()) return refuse(wrong);
@@ -259,5 +262,6 @@ int main(int count, char** arguments) {
         "the format " + r.format +
         " requires libzip, without which kanexpr-export was compiled; the Debian package is libzip-dev");
   if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();
+  if (r.is_robot() && app.count("--name") == 0) r.name = kanexpr::robots::identifier_from(r.name);
   return r.is_robot() ? write_robot(r) : write_model(r);
 }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +49,8 @@ struct explanation {
 struct explain_options {
   /// The results that are counted together; the operations for their status are included.
   std::vector<mechanics::quantity> results{mechanics::quantity::udot};
-  operation_weights weights{};
+  /// By default, those of the model.
+  std::optional<operation_weights> weights{};
   /// Whether the axes and reference points of each body are varied one after another until the cost falls no
   /// further.
   bool searches = true;

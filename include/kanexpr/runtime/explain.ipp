@@ -41,7 +41,7 @@ public:
   comparison_of_forms& operator=(const comparison_of_forms&) = delete;
 
   explanation run() {
-    if (options_.weights.is_negative_for_any())
+    if (options_.weights && options_.weights->is_negative_for_any())
       return {.mistake = "the options of explain give an operation a negative weight"};
     if (options_.results.empty()) return {.mistake = "the options of explain list no result"};
     found_.mistake = form_({}, [&](mechanics::equations& e, const symbolic::cost& c) { look_at(e, c); });
@@ -74,10 +74,11 @@ private:
     const mechanics::skeleton& s = e.skeleton_used();
     const mechanics::mechanism& m = *s.model;
     const mechanics::formulation& given = m.formulated;
+    weights_ = options_.weights.value_or(given.weights);
     const bool is_stated = !given.frames.empty() || given.solved_by != solution::cheapest ||
                            given.speeds != mechanics::internal_speeds::given;
     found_.candidates.push_back({is_stated ? "as the model states" : "chosen by the library", "", c,
-                                 c.weighted(options_.weights), given, ""});
+                                 c.weighted(weights_), given, ""});
     for (const mechanics::frame& f : m.frames) frames_.emplace_back(f.called.view());
     for (const mechanics::expression& u : m.speeds)
       speeds_.emplace_back(m.g->symbol_at(u.node()).called.view());
@@ -135,7 +136,7 @@ private:
       found_.candidates.push_back({.called = "axes and points by search", .cause = no_search_});
       return;
     }
-    formulation_search from(form_, bodies_, options_.weights);
+    formulation_search from(form_, bodies_, weights_);
     for (const auto speeds : {mechanics::internal_speeds::given, mechanics::internal_speeds::absolute}) {
       const bool is_absolute = speeds == mechanics::internal_speeds::absolute;
       if (is_absolute && !no_absolute_.empty()) continue;
@@ -164,7 +165,7 @@ private:
       if (++tried > most_tried || std::equal(chosen.begin(), chosen.end(), dependent_.begin())) return;
       formulation_candidate c{.form = found_.chosen().form};
       c.cause = form_({c.form, chosen, false}, [&](mechanics::equations&, const symbolic::cost& counted) {
-        c.cost = counted, c.weighted = counted.weighted(options_.weights);
+        c.cost = counted, c.weighted = counted.weighted(weights_);
       });
       if (!c.applies()) return;
       for (int i : chosen) c.word += (c.word.empty() ? "dependent<" : ", ") + speeds_[at(i)];
@@ -195,7 +196,7 @@ private:
   void add(const std::string& called, const mechanics::formulation& form) {
     formulation_candidate c{.called = called, .form = form};
     c.cause = form_({form, {}, false}, [&](mechanics::equations&, const symbolic::cost& counted) {
-      c.cost = counted, c.weighted = counted.weighted(options_.weights);
+      c.cost = counted, c.weighted = counted.weighted(weights_);
     });
     c.word = word_of(form);
     found_.candidates.push_back(c);
@@ -218,6 +219,7 @@ private:
 
   const forming form_;
   const explain_options& options_;
+  symbolic::operation_weights weights_{};
   explanation found_{};
   std::vector<std::string> frames_{}, speeds_{};
   sequence<int> dependent_{};
