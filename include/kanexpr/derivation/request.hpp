@@ -152,7 +152,10 @@ constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mec
   sequence<evaluated_vector> vectors;
   for (const phrase& p : wanted.phrases) {
     if (const int first = first_entry_of(p, vectors); first >= 0) {
-      for (int k = 0; k < 3; ++k) column.entries.push(expression(column.entries[first + k]));
+      for (int k = 0; k < 3; ++k) {
+        const symbolic::expression same = column.entries[first + k];
+        column.entries.push(same);
+      }
       continue;
     }
     const value v = r.evaluate(p, wanted.whom);
