@@ -316,15 +316,16 @@ private:
     return inputs;
   }
 
+  using array = base::zeros<int>::array<true>;
+
   const Tape& tape_;
   int count_, slots_, first_step_, uncut_, length_;
   base::zeros<int> last_uses_, changes_;
   cuts found_;
   base::zeros<int> numbers_of_slots_{slots_};
   base::zeros<std::uint64_t> words_{slots_ / 64 + 1};
-  base::zeros<int>::array<true>&last_use_{
-      last_uses_.elements<true>()},        ///< the last step that reads each slot
-      &change_{changes_.elements<true>()}, ///< the number of values that are live before each step
+  array &last_use_{last_uses_.elements<true>()}, ///< the last step that reads each slot
+      &change_{changes_.elements<true>()},       ///< the number of values that are live before each step
       &number_{numbers_of_slots_.elements<true>()}, &place_{found_.place.elements<true>()},
       &inputs_{found_.inputs.elements<true>()}, &a_{found_.a.elements<true>()},
       &b_{found_.b.elements<true>()};
