@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/zeros.hpp>
+#include <kanexpr/lower/choose_cuts.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/lower/vector_columns.hpp>
@@ -60,7 +61,7 @@ public:
     find_last_uses();
     count_live_values();
     join_steps();
-    choose_cuts();
+    cut_between_systems();
     assign_places();
     number_slots_of_pieces();
     return static_cast<cuts&&>(found_);
@@ -113,26 +114,25 @@ private:
   /// Excludes steps that must not begin a piece: all but the first of a step that fills several slots, and a
   /// sum that follows its products, because processors can contract both into one operation.
   constexpr void join_steps() {
-    constexpr int joined = 1 << 30;
     const auto& op = tape_.op;
     const auto& last_use = last_use_;
     auto& change = change_;
     for (int step = 0; step < count_; ++step) {
       if (op[step] == operation::multiply) {
         const int last = last_use[first_step_ + step];
-        if (last == step + 1 || last == step + 2) change[step + 1] = change[last] = joined;
+        if (last == step + 1 || last == step + 2) change[step + 1] = change[last] = uncuttable;
       } else if (op[step] == operation::cos && tape_.paired[step]) {
-        change[step] = joined;
+        change[step] = uncuttable;
       }
     }
     for (int i = 0; i < tape_.sizes.linear_steps; ++i) {
       const linear_step& e = tape_.linear_steps[i];
-      for (int k = 1; k < e.outputs(); ++k) change[e.step + k] = joined;
+      for (int k = 1; k < e.outputs(); ++k) change[e.step + k] = uncuttable;
     }
-    for (int step = 0; step <= uncut_ && step < count_; ++step) change[step] = joined;
+    for (int step = 0; step <= uncut_ && step < count_; ++step) change[step] = uncuttable;
   }
 
-  constexpr void choose_cuts() {
+  constexpr void cut_between_systems() {
     int begin = 0;
     for (int i = 0; i < tape_.sizes.linear_steps; ++i) {
       const linear_step& e = tape_.linear_steps[i];
@@ -147,22 +147,13 @@ private:
   }
 
   constexpr void cut(int begin, int end) {
-    const int slack = length_ / 4;
     if (begin == end) return;
     const auto add = [&](int first) {
       found_.first.push(first);
       found_.solves.push(cuts::none);
     };
     add(begin);
-    while (end - begin > length_ + slack) {
-      int best = end;
-      for (int step = begin + length_ - slack; step < end; ++step) {
-        if (best != end && change_[best] < slots_ && step > begin + length_ + slack) break;
-        if (best == end || change_[step] < change_[best]) best = step;
-      }
-      if (change_[best] > slots_) break; // all are joined
-      add(begin = best);
-    }
+    choose_cuts(change_, begin, end, length_, add);
   }
 
   constexpr void assign_places() {

@@ -81,11 +81,10 @@ private:
     array &first = all_.first_operands.elements<true>(), &operands = all_.operands.elements<true>();
     for (int k = 0; k < all_.count; ++k) {
       if (turn_[k] >= turn::joined) continue;
-      first[k] = listed_;
-      for (const array* each : {&a_, &b_})
+      for (const array* each : {&b_, &a_})
         if (const int operand = (*each)[k] - first_entry_; operand >= 0 && turn_[operand] == turn::joined)
           operands[listed_++] = unordered_values::joined(operand);
-      separate_ = listed_;
+      first[k] = first_ = listed_;
       for (const array* each : {&a_, &b_, &c_, &d_}) {
         const int operand = (*each)[k] - first_entry_;
         if (operand < 0) continue;
@@ -102,7 +101,7 @@ private:
   constexpr void add_operand(int operand) {
     if (operand < 0 || turn_[operand] == turn::done) return;
     array& operands = all_.operands.elements<true>();
-    for (int i = separate_; i < listed_; ++i)
+    for (int i = first_; i < listed_; ++i)
       if (operands[i] == operand) return;
     operands[listed_++] = operand;
   }
@@ -124,7 +123,7 @@ private:
 
   lockstep_entries& entries_;
   int numbers_, first_entry_, constants_ = 0;
-  int listed_ = 0, separate_ = 0; ///< of the operands: how many, and the first of an entry that is not joined
+  int listed_ = 1, first_ = 0; ///< of the operands: where the next one comes, and the first one of an entry
   unordered_values all_{entries_.count, 4 * entries_.count};
   base::zeros<int> orders_{entries_.count};
   array &order_{orders_.elements<true>()}, &action_{entries_.action.elements<true>()},

@@ -103,21 +103,20 @@ private:
     const auto& when = all_.turns.elements<is_constant>();
     auto& first_operand = all_.first_operands.elements<is_constant>();
     auto& operands = all_.operands.elements<is_constant>();
-    int listed = 0;
+    int listed = 1;
     for (int k = 0; k < all_.count; ++k) {
       if (when[k] >= turn::joined) continue;
       const int id = own[k], a = nodes[id].a;
       int open[4]{a}, count = 1; // the operands that remain to be listed, the last one first
-      first_operand[k] = listed;
       if (const operation op = nodes[id].op;
           (op > operation::power ? has_second_operand(op) : op != operation::negate) && nodes[id].b != a)
         open[0] = nodes[id].b, open[1] = a, count = 2;
-      for (int i = count - 1; i >= 0; --i) {
+      for (int i = 0; i < count; ++i) {
         const int operand = place[open[i]] - 1;
         if (operand != none && when[operand] == turn::joined)
           operands[listed++] = unordered_values::joined(operand);
       }
-      const int first = listed;
+      const int first = first_operand[k] = listed;
       while (count > 0) {
         const int each = open[--count], operand = place[each] - 1;
         if (operand == none) continue; // not computed by a step

@@ -23,15 +23,19 @@ enum class turn : char {
 struct unordered_values {
   int count = 0;
   base::zeros<turn> turns;
+  /// Of all values, each once, followed by `end`; those of joined values are of their users. The joined
+  /// values of a value precede its operands, the first one last.
+  base::zeros<int> operands;
   base::zeros<int> first_operands; ///< of each value, where its operands begin
-  base::zeros<int> operands;       ///< of all values, each once; those of joined values are of their users
 
-  static constexpr int end = -1; ///< follows the operands of each value
-  /// A joined value among the operands of its user, which it precedes.
+  static constexpr int end = -1;
+  /// A joined value among the operands.
   static constexpr int joined(int value) { return end - 1 - value; }
 
   constexpr unordered_values(int most, int most_operands)
-      : turns(most), first_operands(most), operands(most_operands + most) {}
+      : turns(most), operands(1 + most_operands + most), first_operands(most) {
+    operands[0] = end;
+  }
 };
 
 /// Orders values so that few of them are live simultaneously and more of them stay in registers.
@@ -89,9 +93,9 @@ public:
         ready[best * words_ + k / 64] &= ~(std::uint64_t{1} << (k % 64));
         if (--filled_[best] == 0) is_filled_ &= ~(1U << best);
       }
-      int own = first_operand_[k];
-      for (; operand[own] < unordered_values::end; ++own) {
-        const int product = unordered_values::joined(operand[own]);
+      const int first = first_operand_[k];
+      for (int i = first - 1; operand[i] < unordered_values::end; --i) {
+        const int product = unordered_values::joined(operand[i]);
         order[next++] = product;
         when[product] = turn::done;
       }
@@ -115,8 +119,8 @@ public:
         is_filled_ |= 1U << to;
       }
       if (is_list) continue;
-      for (; operand[own] != unordered_values::end; ++own) {
-        const int each = operand[own], left = use[each] - 1;
+      for (int i = first; operand[i] != unordered_values::end; ++i) {
+        const int each = operand[i], left = use[each] - 1;
         use[each] = left;
         if (left == 1) favour_last_user_of(each);
         if (left == 0) --live_;
@@ -135,13 +139,6 @@ private:
   /// While more values than this are live, a value that adds none is a prospect too.
   static constexpr int few = 64;
 
-  /// The place of the first operand that is not joined.
-  constexpr int first_separate_operand_of(int k) const {
-    int i = first_operand_[k];
-    while (operand_[i] < unordered_values::end) ++i;
-    return i;
-  }
-
   /// Lists the users of all values, grouped by value.
   constexpr void list_users() {
     const auto& operand = operand_;
@@ -149,9 +146,8 @@ private:
     auto &use = use_, &wait = wait_, &user = user_, &first_user = first_user_;
     for (int k = 0; k < count_; ++k) {
       if (when[k] >= turn::joined) continue;
-      int missing = 0, i = first_operand_[k];
-      while (operand[i] < unordered_values::end) ++i;
-      for (; operand[i] != unordered_values::end; ++i) {
+      int missing = 0;
+      for (int i = first_operand_[k]; operand[i] != unordered_values::end; ++i) {
         ++use[operand[i]];
         if (when[operand[i]] != turn::done) ++missing;
       }
@@ -162,9 +158,8 @@ private:
     first_user[count_] = place;
     for (int k = count_ - 1; k >= 0; --k) {
       if (when[k] >= turn::joined) continue;
-      int i = first_operand_[k];
-      while (operand[i] < unordered_values::end) ++i;
-      for (; operand[i] != unordered_values::end; ++i) user[--first_user[operand[i]]] = k;
+      for (int i = first_operand_[k]; operand[i] != unordered_values::end; ++i)
+        user[--first_user[operand[i]]] = k;
     }
   }
 
@@ -174,17 +169,13 @@ private:
     auto &use = use_, &gain = gain_;
     for (int k = 0; k < count_; ++k)
       if (when[k] == turn::list)
-        for (int i = first_separate_operand_of(k); operand[i] != unordered_values::end; ++i)
-          --use[operand[i]];
+        for (int i = first_operand_[k]; operand[i] != unordered_values::end; ++i) --use[operand[i]];
     for (int k = 0; k < count_; ++k) {
       if (when[k] >= turn::joined) continue;
       int gained = use[k] > 0 ? 0 : 1;
-      if (when[k] != turn::list) {
-        int i = first_operand_[k];
-        while (operand[i] < unordered_values::end) ++i;
-        for (; operand[i] != unordered_values::end; ++i)
+      if (when[k] != turn::list)
+        for (int i = first_operand_[k]; operand[i] != unordered_values::end; ++i)
           if (use[operand[i]] == 1) ++gained;
-      }
       gain[k] = gained;
     }
   }
@@ -226,7 +217,7 @@ private:
   /// Raises the prospect of the only operand for which a value waits.
   constexpr void raise_missing_operand_of(int k) {
     const int gain = gain_[k], prospect = gain < prospects ? gain : prospects - 1;
-    int i = first_separate_operand_of(k);
+    int i = first_operand_[k];
     while (turn_[operand_[i]] == turn::done) ++i;
     const int operand = operand_[i];
     if (prospect <= prospect_[operand]) return;

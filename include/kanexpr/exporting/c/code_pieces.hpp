@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/lower/choose_cuts.hpp>
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
@@ -28,7 +29,10 @@ public:
     if (lines <= allowed.longest) return;
     find_last_uses();
     count_live_values();
-    choose_cuts((std::min)(allowed.piece, lines));
+    first_ = {0};
+    lower::choose_cuts(live_.data(), 0, lines, (std::min)(allowed.piece, lines),
+                       [&](int line) { first_.push_back(line); });
+    first_.push_back(lines);
     assign_places();
   }
 
@@ -43,7 +47,6 @@ public:
 private:
   using kind = lower::statement::kind;
   using operation = symbolic::operation;
-  static constexpr int joined = 1 << 30;
 
   static bool is_computed(const lower::statement& s) {
     return s.is != kind::number && s.is != kind::argument;
@@ -70,29 +73,14 @@ private:
     for (int i = 1; i <= lines; ++i) live(i) += live(i - 1);
     for (int i = 0; i < lines; ++i) {
       const lower::statement& s = code_.lines[i];
-      if (s.is == kind::entry) live(i) = joined;
+      if (s.is == kind::entry) live(i) = lower::uncuttable;
       if (s.is != kind::operation) continue;
       if (s.op == operation::multiply && last_use(i) <= i + 2)
-        for (int line = i + 1; line <= last_use(i) && line < lines; ++line) live(line) = joined;
-      if (s.op == operation::cos) live(i) = joined;
+        for (int line = i + 1; line <= last_use(i) && line < lines; ++line) live(line) = lower::uncuttable;
+      if (s.op == operation::cos) live(i) = lower::uncuttable;
     }
   }
   int& live(int line) { return live_[static_cast<std::size_t>(line)]; }
-
-  void choose_cuts(int length) {
-    const int lines = code_.lines.size(), slack = length / 4;
-    first_ = {0};
-    while (lines - first_.back() > length + slack) {
-      const int to = first_.back() + length + slack, from = to - 2 * slack;
-      int best = from;
-      for (int line = from; line <= to; ++line)
-        if (live(line) < live(best)) best = line;
-      while (best < lines && live(best) == joined) ++best;
-      if (best == lines) break;
-      first_.push_back(best);
-    }
-    first_.push_back(lines);
-  }
 
   /// A place is used again only by pieces that follow the last one that reads it.
   void assign_places() {
