@@ -226,4 +226,18 @@ TEST(formulations, depend_on_the_weights) {
   EXPECT_EQ(explain(b, plain).text(), explain(b, free_sums).text());
 }
 
+TEST(formulations, keep_the_weights_of_the_model) {
+  const operation_weights weights{.addition = 0, .trigonometric = 30};
+  chain b(3, false);
+  b.weighted_by(weights);
+  const explanation forms = explain(b, {.searches = false});
+  for (const formulation_candidate& each : forms.candidates) {
+    if (!each.applies()) continue;
+    EXPECT_EQ(each.form.weights, weights) << each.called;
+    if (!each.word.empty())
+      EXPECT_TRUE(each.word.ends_with("weighted_by<operation_weights{.addition = 0, .trigonometric = 30}>>"))
+          << each.word;
+  }
+}
+
 } // namespace

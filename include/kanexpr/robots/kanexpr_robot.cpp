@@ -10,22 +10,29 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace {
 
 using namespace kanexpr::robots;
+using kanexpr::symbolic::operation_weights;
 
 struct request {
   std::string file{}, name{}, header{}, picture{}, base = "fixed", bind = "numbers";
   reading_options reading{};
   model_options model{};
   bool as_written = false, without_mimic = false, without_damping = false, quiet = false;
-  bool explains = false, is_cheapest = false;
+  bool explains = false, is_cheapest = false, without_search = false;
+  std::vector<std::string> weights{};
 };
 
 read_robot robot_of(const std::string& file, const reading_options& options) {
@@ -58,11 +65,38 @@ bool draw(const robot& seen, const request& r) {
   return leave(text, r.picture);
 }
 
+/// Reads what operations cost from words such as "addition=12"; returns the mistake, empty if there is none.
+/// A fused product costs as much as a product and a sum if no word states it.
+std::string read_weights(const std::vector<std::string>& words, operation_weights& into) {
+  constexpr int most = 1'000'000; // so that weighted counts remain exact
+  into.fused = -1;
+  for (const std::string& word : words) {
+    const std::size_t sign = word.find('=');
+    const std::string called = word.substr(0, sign), number = sign == word.npos ? "" : word.substr(sign + 1);
+    int operation_weights::* weight = nullptr;
+    std::string known;
+    for (const auto& each : kanexpr::symbolic::weighted_operations) {
+      if (called == each.called) weight = each.weight;
+      known.append(known.empty() ? "" : ", ").append(each.called);
+    }
+    if (weight == nullptr) return "there is no weight of " + called + "; weights are those of " + known;
+    const char* const end = number.data() + number.size();
+    const auto [rest, error] = std::from_chars(number.data(), end, into.*weight);
+    if (error != std::errc{} || rest != end || into.*weight < 0 || into.*weight > most)
+      return "the weight " + word + " is not an integer from 0 to " + std::to_string(most);
+  }
+  if (into.fused < 0) into.fused = into.multiplication + into.addition;
+  return {};
+}
+
 /// The forms of the equations of a robot. A header has no names for the axes in which joints are mounted.
-kanexpr::explanation forms_of(const robot& r, const model_options& options) {
+kanexpr::explanation forms_of(const robot& r, const request& wanted, const operation_weights& weights) {
+  robot_builder built(r, wanted.model);
+  built.weighted_by(weights);
   kanexpr::explain_options how;
   how.may_use = [](std::string_view frame) { return !frame.ends_with("_home"); };
-  return kanexpr::explain(robot_builder(r, options), how);
+  how.searches = !wanted.without_search;
+  return kanexpr::explain(built, how);
 }
 
 int write(request r) {
@@ -72,6 +106,12 @@ int write(request r) {
     return refuse(r.name.empty() ? file + " is not a valid namespace name; set one with --name"
                                  : name + " is not a valid namespace name");
   r.name = name;
+  if (r.without_search && !r.explains && !r.is_cheapest)
+    return refuse("--no-search needs --cheapest or --explain");
+  operation_weights weights;
+  if (!r.weights.empty())
+    if (const std::string mistake = read_weights(r.weights, weights); !mistake.empty())
+      return refuse(mistake);
   if (r.as_written) r.reading.right_angles = 0;
   r.reading.mimic = !r.without_mimic, r.model.damping = !r.without_damping;
   r.model.base = r.base == "floating" ? base_kind::floating : base_kind::fixed;
@@ -80,11 +120,13 @@ int write(request r) {
   if (!r.quiet)
     for (const std::string& note : read.notes) std::cerr << "kanexpr-robot: note: " << note << '\n';
   if (!read) return refuse(read.cause());
+  if (weights != operation_weights{})
+    r.model.formulation = "formulation<" + kanexpr::runtime::word_of(weights) + ">";
   if (r.explains || r.is_cheapest) {
-    const kanexpr::explanation forms = forms_of(read.robot, r.model);
+    const kanexpr::explanation forms = forms_of(read.robot, r, weights);
     if (!forms.mistake.empty()) return refuse(r.file + ": " + forms.mistake);
     if (r.explains) return std::cout << forms.text(), 0;
-    r.model.formulation = forms.best().word;
+    if (!forms.best().word.empty()) r.model.formulation = forms.best().word;
   }
   header_writer writer(read.robot, r.model);
   if (!writer.cause().empty()) return refuse(r.file + ": " + writer.cause());
@@ -129,6 +171,14 @@ int main(int count, char** arguments) {
   app.add_flag("--explain", r.explains,
                "print the forms of the equations and what u' costs in each; write nothing")
       ->excludes(output, picture);
+  app.add_option("--weights", r.weights,
+                 "what operations cost on the target, in any unit, for --cheapest, --explain and the header: "
+                 "addition=12,division=45")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("OPERATION=NUMBER,...");
+  app.add_flag("--no-search", r.without_search,
+               "compare only forms that treat all bodies alike, which is faster for large robots");
   app.add_flag("-q,--quiet", r.quiet, "do not print notes about the file and about renamed links and joints");
   CLI11_PARSE(app, count, arguments);
   return write(std::move(r));

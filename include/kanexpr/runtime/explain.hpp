@@ -60,6 +60,9 @@ struct explain_options {
 
 namespace runtime {
 
+/// The word of a formulation that states weights: "weighted_by<operation_weights{.fused = 1}>".
+KANEXPR_ENGINE std::string word_of(const symbolic::operation_weights& weights);
+
 KANEXPR_ENGINE explanation explain_types(const derivation::checked_words& from,
                                          const explain_options& options);
 

@@ -46,13 +46,13 @@ public:
     if (options_.results.empty()) return {.mistake = "the options of explain list no result"};
     found_.mistake = form_({}, [&](mechanics::equations& e, const symbolic::cost& c) { look_at(e, c); });
     if (!found_.mistake.empty()) return found_;
-    compare_solutions("", {});
+    compare_solutions("", form_of_model());
     for (const auto& [called, axes] : {std::pair{"axes of each body", &axes_of_system::body::own},
                                        std::pair{"axes of the body below", &axes_of_system::body::below}})
       compare_solutions(called, in_axes(axes));
     compare_solutions("axes of the ground", in_axes(nullptr));
     compare_solutions("about the mass centers", about_centers());
-    mechanics::formulation absolute;
+    mechanics::formulation absolute = form_of_model();
     absolute.speeds = mechanics::internal_speeds::absolute;
     if (no_absolute_.empty())
       compare_solutions("absolute speeds", absolute);
@@ -74,6 +74,7 @@ private:
     const mechanics::skeleton& s = e.skeleton_used();
     const mechanics::mechanism& m = *s.model;
     const mechanics::formulation& given = m.formulated;
+    stated_weights_ = given.weights;
     weights_ = options_.weights.value_or(given.weights);
     const bool is_stated = !given.frames.empty() || given.solved_by != solution::cheapest ||
                            given.speeds != mechanics::internal_speeds::given;
@@ -98,14 +99,20 @@ private:
       no_absolute_ = "no two bodies, one on the other, rotate about parallel axes of the ground";
   }
 
-  mechanics::formulation in_axes(int axes_of_system::body::* axes) const {
+  /// With the weights of the model, which also determine choices of the library other than these.
+  mechanics::formulation form_of_model() const {
     mechanics::formulation form;
+    form.weights = stated_weights_;
+    return form;
+  }
+  mechanics::formulation in_axes(int axes_of_system::body::* axes) const {
+    mechanics::formulation form = form_of_model();
     for (const axes_of_system::body& b : bodies_)
       form.entry(b.frame).axes = axes == nullptr ? mechanics::mechanism::inertial : b.*axes;
     return form;
   }
   mechanics::formulation about_centers() const {
-    mechanics::formulation form;
+    mechanics::formulation form = form_of_model();
     for (const axes_of_system::body& b : bodies_)
       if (b.has_mass) form.entry(b.frame).about_the_center = true;
     return form;
@@ -142,7 +149,7 @@ private:
       if (is_absolute && !no_absolute_.empty()) continue;
       for (const solution by : {solution::elimination, solution::articulated_bodies}) {
         if (by == solution::articulated_bodies && !no_tree_.empty()) continue;
-        mechanics::formulation form;
+        mechanics::formulation form = form_of_model();
         form.solved_by = by, form.speeds = speeds;
         add(std::string("axes and points by search, ") + (is_absolute ? "absolute speeds, " : "") +
                 (by == solution::elimination ? "by elimination" : "by articulated bodies"),
@@ -212,6 +219,8 @@ private:
     if (form.speeds == mechanics::internal_speeds::absolute) part("in_absolute_speeds");
     if (form.solved_by == solution::elimination && no_tree_.empty()) part("by_elimination");
     if (form.solved_by == solution::articulated_bodies) part("by_articulated_bodies");
+    if (!parts.empty() && stated_weights_ != symbolic::operation_weights{})
+      part(runtime::word_of(stated_weights_));
     return parts.empty() ? "" : "formulation<" + parts + ">";
   }
 
@@ -219,7 +228,7 @@ private:
 
   const forming form_;
   const explain_options& options_;
-  symbolic::operation_weights weights_{};
+  symbolic::operation_weights weights_{}, stated_weights_{};
   explanation found_{};
   std::vector<std::string> frames_{}, speeds_{};
   sequence<int> dependent_{};
@@ -236,6 +245,15 @@ inline std::vector<derivation::request> requests_of(const explain_options& optio
 }
 
 } // namespace detail
+
+KANEXPR_ENGINE std::string word_of(const symbolic::operation_weights& weights) {
+  const symbolic::operation_weights standard;
+  std::string parts;
+  for (const auto& [called, weight] : symbolic::weighted_operations)
+    if (weights.*weight != standard.*weight)
+      parts += std::string(parts.empty() ? "." : ", .") + called + " = " + std::to_string(weights.*weight);
+  return "weighted_by<operation_weights{" + parts + "}>";
+}
 
 KANEXPR_ENGINE explanation explain_types(const derivation::checked_words& from,
                                          const explain_options& options) {

@@ -26,4 +26,19 @@ struct operation_weights {
   }
 };
 
+/// The operations of `operation_weights` by name.
+struct weighted_operation {
+  const char* called;
+  int operation_weights::* weight;
+};
+inline constexpr weighted_operation weighted_operations[] = {
+    {"multiplication", &operation_weights::multiplication},
+    {"addition", &operation_weights::addition},
+    {"fused", &operation_weights::fused},
+    {"division", &operation_weights::division},
+    {"square_root", &operation_weights::square_root},
+    {"trigonometric", &operation_weights::trigonometric},
+    {"other", &operation_weights::other},
+};
+
 } // namespace kanexpr::symbolic
