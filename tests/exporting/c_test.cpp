@@ -14,6 +14,7 @@
 #include <runtime/slewing_arm.hpp>
 
 #include "curved.hpp"
+#include "sliders.hpp"
 
 #include <bouncing_ball.h>
 #include <bouncing_ball_in_float.h>
@@ -43,9 +44,12 @@
 #include <pendulum.h>
 #include <slewing_arm.h>
 #include <slewing_arm_in_float.h>
+#include <sliders.h>
+#include <sliders_in_float.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -215,6 +219,53 @@ TEST(C, HasTheBitsOfInterpretedColumns) {
   expect_interpreted_state_matrix<double>(iiwa_in_pieces_explicit_form);
   expect_interpreted_state_matrix<float>(iiwa_columns_in_float_explicit_form);
   expect_interpreted_state_matrix<float>(iiwa_in_pieces_in_float_explicit_form);
+}
+
+/// Spoils one entry of A or B, the first or the last that is not a number.
+template <class Number, class Written>
+void expect_reports(const Written& written, const char* cause) {
+  using limits = std::numeric_limits<Number>;
+  using System = sliders::System;
+  model m = derive<System>();
+  auto state_matrix = m.function<Number>(m.get(mechanics::quantity::state_matrix));
+  auto input_matrix = m.function<Number>(m.get(mechanics::quantity::input_matrix));
+  auto udot = m.function<Number>(m.udot());
+  const state<System, Number> x = state<System, Number>::Zero();
+  const input_values<System, Number> r = input_values<System, Number>::Zero();
+  const auto number = [](auto each) { return static_cast<Number>(each); };
+  const Number all[]{1,
+                     -2,
+                     std::sqrt(limits::max()) / 2,
+                     2 * std::sqrt(limits::max()),
+                     limits::infinity(),
+                     limits::quiet_NaN()};
+  for (const Number value : all)
+    for (Eigen::Index spoiled = 0; spoiled < 4; ++spoiled) {
+      parameter_values<System, Number> p = parameter_values<System, Number>::Constant(number(3));
+      p(spoiled) = value;
+      const bool is_finite = std::isfinite(value * value);
+      std::vector<Number> found(24, number(0));
+      const unsigned long long status =
+          written(number(0), x.data(), p.data(), r.data(), found.data(), found.data() + 16);
+      EXPECT_EQ(std::ranges::count_if(found, [](Number e) { return !std::isfinite(e); }), is_finite ? 0 : 1);
+      EXPECT_EQ(status, is_finite ? 0 : 1) << value << " in parameter " << spoiled;
+      const auto [A, B] = linearization<System>::explicit_form(x, p, r);
+      EXPECT_EQ(A.status && B.status, is_finite);
+      state_matrix(x, p, r), input_matrix(x, p, r), udot(x, p, r);
+      const kanexpr::status interpreted =
+          state_matrix.status() ? input_matrix.status() : state_matrix.status();
+      EXPECT_EQ(interpreted.cause(), is_finite ? "" : cause) << value << " in parameter " << spoiled;
+      EXPECT_TRUE(udot.status());
+    }
+}
+
+TEST(C, ReportsLinearizationsThatAreNotFinite) {
+  static_assert(sliders_udot_checks == 0 && sliders_explicit_form_checks == 1 &&
+                sliders_implicit_form_checks == 1 && sliders_jacobian_checks == 1);
+  expect_reports<double>(sliders_explicit_form, sliders_explicit_form_causes[0]);
+  expect_reports<double>(sliders_jacobian, sliders_jacobian_causes[0]);
+  expect_reports<float>(sliders_in_float_explicit_form, sliders_in_float_explicit_form_causes[0]);
+  expect_reports<float>(sliders_in_float_jacobian, sliders_in_float_jacobian_causes[0]);
 }
 
 /// Compares rates with interpreted ones where the state variables are positive, as the force of a tendon is.

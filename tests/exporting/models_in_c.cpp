@@ -1,6 +1,7 @@
 // Exports models to the folder given as argument, for the tests that compile the files.
 #include "bead.hpp"
 #include "curved.hpp"
+#include "sliders.hpp"
 
 #include <kanexpr/export.hpp>
 #include <kanexpr/fmi.hpp>
@@ -236,6 +237,10 @@ int main(int, char** arguments) {
   c_options loaded; // rates, derivatives and steps of systems with loads
   loaded.with_python = true;
   loaded.functions = {results("udot"), results("explicit_form"), results("runge_kutta_4")};
+  c_options linearized; // its u̇ always exists
+  linearized.with_python = true;
+  linearized.functions = {results("udot"), results("explicit_form"), results("implicit_form"),
+                          results("jacobian")};
   c_options in_pieces;
   in_pieces.lengths = {.longest = 100, .piece = 40};
   c_options many_columns; // their systems are solved in loops
@@ -257,6 +262,7 @@ int main(int, char** arguments) {
                  write<four_bar::System>(folder, "four_bar_in_pieces", in_pieces) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
                  write<curved::System>(folder, "curved", {}) &&
+                 write<sliders::System>(folder, "sliders", linearized) &&
                  write<slewing_arm::System>(folder, "slewing_arm", {}) &&
                  write<bouncing_ball::System>(folder, "bouncing_ball", {})
              ? 0

@@ -10,6 +10,7 @@ import bead
 import four_bar
 import iiwa
 import pendulum
+import sliders
 
 
 def refused(kind, call):
@@ -47,3 +48,11 @@ assert abs(s - 1.25) < 1e-15 and abs(v - 1) < 1e-15
 rate = pendulum.udot({"q": 0.3, "u": 0}, {"m": 2, "l": 0.5, "c": 0.1}, {"T": 0})
 assert abs(rate[0] - -9.81 / 0.5 * math.sin(0.3)) < 1e-12
 assert pendulum.tip([0.0, 0.0], [1.0, 0.5, 0.0], [0.0]) == [0.5, 0.0, 0.0]
+
+p = {"a": 1.0, "b": 2.0, "c": 3.0, "d": 4.0}
+A, B = sliders.explicit_form([0.0] * 4, p, [0.0] * 2)
+assert A[2][0] == 1 and A[3][3] == 4 and B[2][0] == 9 and B[3][1] == 16
+for name in p:
+    for wrong in math.nan, math.inf, 1e200:
+        call = lambda: sliders.explicit_form([0.0] * 4, p | {name: wrong}, [0.0] * 2)
+        assert "not finite" in refused(sliders.Singular, call)

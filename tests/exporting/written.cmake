@@ -7,7 +7,7 @@ target_include_directories(exporting_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/e
 target_link_libraries(exporting_models_in_c PRIVATE kanexpr::engine kanexpr::fmi kanexpr_strict kanexpr_snippets)
 set(for_casadi cart driven a wheel bound_pendulum disc motor_arm loaded_arm cornering_car elbow)
 list(TRANSFORM for_casadi REPLACE "(.+)" "${folder}/\\1_casadi.c" OUTPUT_VARIABLE files_for_casadi)
-set(names iiwa iiwa_in_float iiwa_columns iiwa_columns_in_float iiwa_in_pieces iiwa_in_pieces_in_float curved curved_in_float slewing_arm slewing_arm_in_float bouncing_ball bouncing_ball_in_float four_bar four_bar_in_float four_bar_in_pieces four_bar_in_pieces_in_float disc disc_in_float bound_pendulum pendulum motor_arm motor_arm_in_float loaded_arm loaded_arm_in_float
+set(names iiwa iiwa_in_float iiwa_columns iiwa_columns_in_float iiwa_in_pieces iiwa_in_pieces_in_float curved curved_in_float sliders sliders_in_float slewing_arm slewing_arm_in_float bouncing_ball bouncing_ball_in_float four_bar four_bar_in_float four_bar_in_pieces four_bar_in_pieces_in_float disc disc_in_float bound_pendulum pendulum motor_arm motor_arm_in_float loaded_arm loaded_arm_in_float
   cornering_car cornering_car_in_float driven_wheel driven_wheel_in_float)
 set(names_of_steps sliding sliding_in_float bead bead_in_float appell_hamel appell_hamel_in_float)
 set(names_of_all ${names} ${names_of_steps})
@@ -49,7 +49,7 @@ endforeach()
 # Python modules, with the commands of the guide
 set(guide ${CMAKE_CURRENT_BINARY_DIR}/docs/snippets/docs/export/c)
 add_test(NAME exporting_python COMMAND sh -eu -c "cd '${folder}'
-  for name in bead four_bar iiwa pendulum; do
+  for name in bead four_bar iiwa pendulum sliders; do
     sed \"s|cc |'${KANEXPR_C_COMPILER}' |; s|pendulum|$name|g\" '${guide}/compile.sh' | sh -eu
   done
   PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=. python3 '${guide}/session.python'

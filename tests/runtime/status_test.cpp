@@ -296,6 +296,26 @@ TEST(status, is_left_out_where_no_mass_can_be_missing) {
   EXPECT_EQ(derived.equations().singularity_checks_of(kanexpr::symbolic::nodes_of(udot.entries)).size(), 0);
 }
 
+// Like those of compiled linearizations, whatever the cause.
+TEST(status, reports_linearizations_that_are_not_finite) {
+  auto derived = kanexpr::derive<two_rods::System>();
+  auto linear = derived.linearize();
+  const auto measured = derived.measured_by<two_rods::u1 * sin(two_rods::q2)>();
+  auto udot = derived.function(derived.udot());
+  for (const auto& wanted : {derived.get(quantity::state_matrix), derived.get(quantity::state_jacobian),
+                             derived.get(quantity::implicit_mass_matrix), linear.explicit_form().A,
+                             linear.implicit_form().A, linear.outputs(measured).C}) {
+    auto f = derived.function(wanted);
+    Eigen::Vector4d x(0.1, 0.2, 0.3, 0.4);
+    f(x), udot(x);
+    EXPECT_TRUE(f.status());
+    x(1) = std::numeric_limits<double>::quiet_NaN();
+    f(x), udot(x);
+    EXPECT_EQ(f.status().cause(), "the results are not finite at this state; check for unset values");
+    EXPECT_TRUE(udot.status());
+  }
+}
+
 TEST(status, is_not_asked_for_what_needs_no_solution) {
   four_bars b;
   b.x[four_bar::q3] = 0;

@@ -58,6 +58,12 @@ struct request {
   constexpr bool is_weighted() const {
     return (what == kind::result || what == kind::derivatives) && mechanics::is_to_second_order(wanted);
   }
+
+  /// Whether it is part of the linearized equations. Functions that return these report every entry that is
+  /// not finite, even if only an argument can be the cause.
+  constexpr bool is_of_linearization() const {
+    return what == kind::sensitivity || (what == kind::result && mechanics::is_of_linearization(wanted));
+  }
 };
 
 /// The arguments of a function that follow the inputs: rates of the speeds, weights, a direction.

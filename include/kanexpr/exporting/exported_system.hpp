@@ -52,7 +52,8 @@ struct exported_result {
 struct exported_check {
   std::string cause{};
   bool is_finiteness_check = false;
-  bool is_order_check = false; ///< fails unless the measure exceeds the scale
+  bool is_order_check = false;  ///< fails unless the measure exceeds the scale
+  bool watches_results = false; ///< fails unless all results are finite; the last check, without a measure
 };
 
 /// A function: its results, checks and code.

@@ -208,13 +208,33 @@ private:
     for (const symbols each : wanted.derivatives)
       take(name_of(each), derived(all, {.type = requested_derivative::kind::jacobian, .by = each}), {}, {});
     if (!made_.mistake.empty()) return std::nullopt;
+    made.checks = checks_of(wanted, from, nodes);
+    made.code = lower::tape_of(from.graph(), bound(from, nodes));
+    return made;
+  }
+
+  /// Appends the measures and scales of the checks to the nodes of the results. The results of linearizations
+  /// are checked themselves, because their sum would take as many additions as they have entries.
+  static std::vector<exported_check> checks_of(const requested_function& wanted, model& from,
+                                               base::sequence<int>& nodes) {
+    const bool watches = std::ranges::any_of(wanted.results, [](const requested_result& each) {
+      return each.request.is_of_linearization() && !each.is_sparse; // CasADi functions check sparse results
+    });
+    const bool can_fail =
+        std::any_of(nodes.begin(), nodes.end(), [&](int id) { return !from.graph().is_constant(id); });
+    std::vector<exported_check> checks;
+    std::string cause(mechanics::results_not_finite);
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
-      made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
+      if (watches && c.of_finiteness) {
+        cause = c.cause.view();
+        continue;
+      }
+      checks.push_back({std::string(c.cause.view()), c.of_finiteness});
       nodes.push(c.measure.node());
       nodes.push(c.scale.node());
     }
-    made.code = lower::tape_of(from.graph(), bound(from, nodes));
-    return made;
+    if (watches && can_fail) checks.push_back({.cause = std::move(cause), .watches_results = true});
+    return checks;
   }
 
   /// Adds the function to the system, or refuses it if it cannot be written to a file.

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/describe/token.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace kanexpr {
 
@@ -52,8 +56,22 @@ public:
   /// The same system in a separate graph, resumed from the stored derivation.
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
+  /// Notes a matrix of the linearized equations.
+  void note_linearization(const symbolic::matrix& formed) {
+    if (!is_linearization(formed)) linearizations_.push_back(symbolic::nodes_of(formed.entries));
+  }
+  /// Whether a matrix was noted. A function that evaluates it reports every entry that is not finite.
+  bool is_linearization(const symbolic::matrix& m) const {
+    const base::sequence<int> nodes = symbolic::nodes_of(m.entries);
+    return std::ranges::any_of(linearizations_,
+                               [&](const auto& each) { return std::ranges::equal(each, nodes); });
+  }
+
   /// The mistake in the last request, not in the system itself.
   base::sentence request_mistake{};
+
+private:
+  std::vector<base::sequence<int>> linearizations_{}; ///< the nodes of their entries, row by row
 };
 
 } // namespace runtime

@@ -32,11 +32,11 @@ public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   /// `checks` detect singularities in the computation of the result. If the result has no values at any
-  /// state, `mistake` is the reason.
+  /// state, `mistake` is the reason. If it must be finite, the status reports every entry that is not.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
               const base::sequence<mechanics::singularity_check>& checks = {},
-              const base::sentence& mistake = {})
-      : code_(g, wanted, checks), coordinates_(coordinates), mistake_(mistake),
+              const base::sentence& mistake = {}, bool must_be_finite = false)
+      : code_(g, wanted, checks, must_be_finite), coordinates_(coordinates), mistake_(mistake),
         result_(wanted.rows, wanted.columns) {
     for (const lower::load& each : code_.code().loads)
       if (need* const of = need_of(each.from)) of->take(place_of(each), g, each);

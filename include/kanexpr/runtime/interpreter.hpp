@@ -72,9 +72,10 @@ bool passes(bool of_finiteness, const Scalar& measure, const Scalar& scale) {
 template <class Scalar>
 class checked_code {
 public:
-  /// `checks` detect singularities in the computation of the result.
+  /// `checks` detect singularities in the computation of the result. If the result must be finite, the status
+  /// reports every entry that is not.
   checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
-               const base::sequence<mechanics::singularity_check>& checks);
+               const base::sequence<mechanics::singularity_check>& checks, bool must_be_finite);
 
   /// Returns the entries of the result, row by row.
   template <class Arguments>
@@ -96,14 +97,17 @@ private:
   base::sequence<Scalar> found_;        ///< the result, then the measure and the scale of each check
   base::sentence missing_derivative_{}; ///< reports an unknown derivative; if set, there are no values
   base::sequence<mechanics::singularity_check> checks_;
+  bool must_be_finite_;
 };
 
 template <class Scalar>
 checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
-                                   const base::sequence<mechanics::singularity_check>& checks)
+                                   const base::sequence<mechanics::singularity_check>& checks,
+                                   bool must_be_finite)
     : code_(lower::tape_of(g, nodes(g, wanted, checks))),
       found_(code_.size(), lower::scalar_math<Scalar>::from(0)),
-      missing_derivative_(mechanics::check_derivatives(wanted)), checks_(checks) {}
+      missing_derivative_(mechanics::check_derivatives(wanted)), checks_(checks),
+      must_be_finite_(must_be_finite) {}
 
 template <class Scalar>
 base::sequence<int> checked_code<Scalar>::nodes(symbolic::graph& g, const symbolic::matrix& wanted,
@@ -125,6 +129,9 @@ kanexpr::status checked_code<Scalar>::status() const {
   for (int i = 0; i < checks_.size(); ++i)
     if (!passes(checks_[i].of_finiteness, found_[results + 2 * i], found_[results + 2 * i + 1]))
       return kanexpr::status(checks_[i].cause.view());
+  for (int i = 0; must_be_finite_ && i < results; ++i)
+    if (!lower::scalar_math<Scalar>::is_finite(found_[i]))
+      return kanexpr::status(mechanics::results_not_finite);
   return {};
 }
 

@@ -159,6 +159,7 @@ private:
     if (const base::sentence lacking = mechanics::check_derivatives(found.values))
       if (const std::string text(lacking.view()); std::ranges::find(failures_, text) == failures_.end())
         failures_.push_back(text);
+    system_->note_linearization(found.values);
     return found.values;
   }
 
@@ -173,6 +174,7 @@ private:
     const mechanics::linearizer& full = equations().linearized().in_full();
     const symbolic::matrix rates = rates_of({given.M, given.A, given.B});
     const mechanics::explicit_linearization rows = mechanics::rows_of_states(graph(), full.form(), rates);
+    system_->note_linearization(rows.state), system_->note_linearization(rows.input);
     return {rows.state, rows.input};
   }
 

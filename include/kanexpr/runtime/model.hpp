@@ -143,7 +143,8 @@ public:
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     if (const base::sentence wrong = mistake_of(result))
       return {graph(), owns(result) ? result : symbolic::matrix(), coordinates(), {}, wrong};
-    return {graph(), result, coordinates(), singularity_checks_of(result)};
+    return {
+        graph(), result, coordinates(), singularity_checks_of(result), {}, system_->is_linearization(result)};
   }
   /// Whether all entries are expressions of this model.
   bool owns(const symbolic::matrix& result) const;

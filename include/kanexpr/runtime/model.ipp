@@ -89,11 +89,16 @@ KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
-  return runtime::try_form(*system_,
-                           [&] { return symbolic::written_out(runtime::form_result(*system_, wanted)); });
+  const symbolic::matrix found = runtime::try_form(
+      *system_, [&] { return symbolic::written_out(runtime::form_result(*system_, wanted)); });
+  if (wanted.is_of_linearization()) system_->note_linearization(found);
+  return found;
 }
 KANEXPR_ENGINE symbolic::matrix model::get_for_code(const derivation::request& wanted) {
-  return runtime::try_form(*system_, [&] { return runtime::form_result(*system_, wanted); });
+  const symbolic::matrix found =
+      runtime::try_form(*system_, [&] { return runtime::form_result(*system_, wanted); });
+  if (wanted.is_of_linearization()) system_->note_linearization(found);
+  return found;
 }
 
 KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {

@@ -246,6 +246,13 @@ private:
     for (std::size_t i = 0; i < f.checks.size(); ++i) {
       const exported_check& one = f.checks[i];
       const auto bit = std::find(causes.begin(), causes.end(), one.cause) - causes.begin();
+      const std::string shift = bit == 0 ? "" : " << " + std::to_string(bit);
+      if (one.watches_results) {
+        for (const exported_result& each : f.results)
+          if (std::string watched = watched_entries(f, each); !watched.empty())
+            bits.push_back(name() + "_is_any_infinite(" + watched + ')' + shift);
+        continue;
+      }
       const int place = f.entries() + 2 * static_cast<int>(i);
       const std::string measure = writer.value(f.code.results[place]),
                         scale = writer.value(f.code.results[place + 1]);
@@ -255,10 +262,22 @@ private:
                                        : "_is_singular(";
       asked += measure;
       if (!one.is_finiteness_check) asked.append(", ").append(scale);
-      asked += bit == 0 ? ")" : ") << " + std::to_string(bit);
+      asked.append(")").append(shift);
       if (std::find(bits.begin(), bits.end(), asked) == bits.end()) bits.push_back(std::move(asked));
     }
     return bits.empty() ? "0" : joined(bits, " | ", [](const std::string& each) { return each; });
+  }
+
+  /// "A + 7, 7", the entries of a result from the first to the last that is not a number; empty if all are.
+  static std::string watched_entries(const exported_function& f, const exported_result& of) {
+    const auto is_number = [&](int i) {
+      return f.code.lines[f.code.results[of.first + i]].is == lower::statement::kind::number;
+    };
+    int begin = 0, end = of.entries();
+    while (begin < end && is_number(begin)) ++begin;
+    while (begin < end && is_number(end - 1)) --end;
+    if (begin == end) return {};
+    return of.name + (begin == 0 ? "" : " + " + std::to_string(begin)) + ", " + std::to_string(end - begin);
   }
 
   /// The helper functions that the bodies call.
@@ -279,7 +298,9 @@ private:
                                   {"f", number_.function("")},
                                   {"pi", number_.number(std::numbers::pi)},
                                   {"turn", number_.number(2 * std::numbers::pi)},
-                                  {"exponent", number_.exponent_bits()}});
+                                  {"exponent", number_.exponent_bits()},
+                                  {"unit", number_.unit_of_exponent()},
+                                  {"last_bit", number_.last_bit()}});
     };
     std::string functions;
     for (const symbolic::operation each : written_functions())
@@ -293,11 +314,11 @@ private:
                chooses = calls("choose") || functions.find("_choose(") != functions.npos;
     std::string text;
     if (bodies.find(name() + "_PIECE ") != bodies.npos) text += part("piece");
-    if (turns || chooses || calls("is_infinite")) text += part("bits");
+    if (turns || chooses || calls("is_infinite") || calls("is_any_infinite")) text += part("bits");
     if (turns) text += sine_and_cosine_in_c(name(), number_);
     if (chooses) text += part("choose");
     text += functions;
-    for (const char* check : {"is_singular", "is_not_above", "is_infinite"})
+    for (const char* check : {"is_singular", "is_not_above", "is_infinite", "is_any_infinite"})
       if (calls(check)) text += part(check);
     return text;
   }

@@ -33,7 +33,7 @@ inline system_with_c_names names_in_c(exported_system s) {
   identifiers taken;
   taken.reserve("states coordinates speeds parameters inputs bits FUNCTION INLINE SINES_OF_THE_LIBRARY "
                 "ANGLES_WITHOUT_END has_bits_of_that_size sine_and_cosine choose is_singular is_infinite "
-                "is_not_above");
+                "is_not_above is_any_infinite");
   for (const symbolic::operation each : written_functions()) taken.reserve(symbolic::function_name(each));
   identifiers functions = taken;
   functions.reserve(words_of_python);

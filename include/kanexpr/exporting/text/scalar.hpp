@@ -19,6 +19,8 @@ struct scalar {
   const char* bits() const { return is_single ? "unsigned int" : "unsigned long long"; }
   const char* last_bit() const { return is_single ? "31" : "63"; }
   const char* exponent_bits() const { return is_single ? "0x7f800000u" : "0x7ff0000000000000ull"; }
+  /// The last bit of the exponent.
+  const char* unit_of_exponent() const { return is_single ? "0x00800000u" : "0x0010000000000000ull"; }
   /// The name of a function of math.h: `sqrt` or `sqrtf`.
   std::string function(const std::string& name) const { return is_single ? name + 'f' : name; }
 

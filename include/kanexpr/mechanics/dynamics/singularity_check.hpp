@@ -92,6 +92,9 @@ constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const p
   return checks;
 }
 
+inline constexpr std::string_view results_not_finite =
+    "the results are not finite at this state; check for unset values";
+
 /// The check for results that may be infinite or NaN at a state; empty if none can be. `others` are the
 /// preceding checks.
 constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, const sequence<int>& outputs,
@@ -109,8 +112,7 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
   const bool are_named = !places.empty() && places.size() <= most_names;
   const expression sum{g, symbolic::unsimplified_sum(g, watched)};
   return {{sum.node(), sum, sum,
-           sentence({"the results are not finite at this state; check for unset values",
-                     are_named ? ", and check the quotients and functions of " : "",
+           sentence({results_not_finite, are_named ? ", and check the quotients and functions of " : "",
                      are_named ? enumerated(m, suspects, places).view() : ""}),
            true}};
 }
