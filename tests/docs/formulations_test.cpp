@@ -195,6 +195,8 @@ TEST(formulations, name_the_reason_why_one_does_not_apply) {
   EXPECT_EQ(explain(without_motion).mistake, "the system has no generalized speeds");
   EXPECT_EQ(explain(without_motion).text(), "the system has no generalized speeds\n");
   EXPECT_EQ(explain(plain, {.results = {}}).mistake, "the options of explain list no result");
+  EXPECT_EQ(explain(plain, {.results = {mechanics::quantity::multipliers}}).text(),
+            "multipliers has no entries\n");
 }
 
 TEST(formulations, have_no_negative_weights) {

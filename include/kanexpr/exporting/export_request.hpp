@@ -79,6 +79,18 @@ inline std::string names_of_steps() {
   return all;
 }
 
+/// "mass_matrix, forcing, … or jacobian": the results that exported functions can return.
+inline std::string names_of_results() {
+  std::vector<std::string_view> names;
+  for (const mechanics::result_row& row : mechanics::results)
+    if (!row.takes_weights && !row.takes_direction && (names.empty() || names.back() != row.called))
+      names.push_back(row.called);
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
+  return all;
+}
+
 /// Returns the reason why there is no such method; empty if there is one.
 inline std::string mistake_of_method(const std::string& name) {
   if (steps::find_tableau(name) != nullptr) return {};
@@ -112,7 +124,8 @@ inline requested_function results(std::string_view names) {
       wanted.mistake =
           steps::find_tableau(name) != nullptr
               ? std::string(name) + " is a separate function and cannot be combined with other results"
-              : "there is no result " + std::string(name);
+              : "there is no result " + std::string(name) + "; expected " + names_of_results() +
+                    ", or a step, " + names_of_steps();
     wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);
   }
   if (wanted.results.empty() && wanted.mistake.empty())

@@ -237,6 +237,14 @@ private:
   std::string no_tree_{}, no_absolute_{}; ///< why the equations are not those of a tree, or of a planar one
 };
 
+/// "multipliers has no entries".
+inline std::string lack_of_entries(const explain_options& options) {
+  std::string names;
+  for (const mechanics::quantity one : options.results)
+    names.append(names.empty() ? "" : ", ").append(mechanics::row_of(one).called);
+  return names + (options.results.size() == 1 ? " has no entries" : " have no entries");
+}
+
 inline std::vector<derivation::request> requests_of(const explain_options& options) {
   std::vector<derivation::request> all;
   for (const mechanics::quantity one : options.results)
@@ -266,6 +274,7 @@ KANEXPR_ENGINE explanation explain_types(const derivation::checked_words& from,
     if (system.mistake()) return system.mistake().cause();
     const derivation::needed_nodes needed = derivation::nodes_for(system, all);
     if (system.mistake()) return system.mistake().cause();
+    if (needed.nodes.empty()) return detail::lack_of_entries(options);
     use(system.equations(), lower::cost_of(lower::tape_of(system.graph(), needed.nodes)));
     return {};
   };
@@ -290,6 +299,7 @@ KANEXPR_ENGINE explanation explain(const runtime::builder& built, const explain_
     for (const mechanics::quantity wanted : options.results)
       if (!e.mistake()) nodes.append(symbolic::nodes_of(e.get(wanted).entries));
     if (e.mistake()) return e.mistake().cause();
+    if (nodes.empty()) return runtime::detail::lack_of_entries(options);
     for (const mechanics::singularity_check& each : e.singularity_checks_of(nodes))
       nodes.push(each.measure.node()), nodes.push(each.scale.node());
     use(e, lower::cost_of(lower::tape_of(own, nodes)));
