@@ -249,8 +249,10 @@ private:
       const std::string shift = bit == 0 ? "" : " << " + std::to_string(bit);
       if (one.watches_results) {
         for (const exported_result& each : f.results)
-          if (std::string watched = watched_entries(f, each); !watched.empty())
-            bits.push_back(name() + "_is_any_infinite(" + watched + ')' + shift);
+          if (const std::string watched = watched_entries(f, each); !watched.empty()) {
+            bits.push_back(name() + "_is_any_infinite(");
+            bits.back().append(watched).append(")").append(shift);
+          }
         continue;
       }
       const int place = f.entries() + 2 * static_cast<int>(i);
