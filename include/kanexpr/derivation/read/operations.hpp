@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -87,6 +88,43 @@ constexpr value combined(const mechanics::mechanism& m, const describe::token& t
   case token_kind::outer: return value::of(outer(m, a.vector, b.vector));
   default: return value::of({*m.g, symbolic::build(*m.g, t.operation, a.scalar.node(), b.scalar.node())});
   }
+}
+
+/// Combines a vector, the last value, with the one before it.
+constexpr bool combine_with_vector(const describe::token& t, sequence<value>& stack) {
+  using describe::token_kind;
+  value &a = stack[stack.size() - 2], &b = stack.back();
+  if (t.what == token_kind::add && a.kind == shape::vector) {
+    a.vector.add(b.vector);
+  } else if (t.what == token_kind::multiply && a.kind == shape::scalar) {
+    for (mechanics::vector::part& p : b.vector.parts) p.value = mechanics::scaled(a.scalar, p.value);
+    a.kind = shape::vector;
+    a.vector = static_cast<mechanics::vector&&>(b.vector);
+  } else {
+    return false;
+  }
+  stack.pop();
+  return true;
+}
+
+/// Sums, products and quotients of scalars, and sums and multiples of vectors, the most frequent operations,
+/// without moving their values. Returns whether the step is one of them.
+constexpr bool combine_in_place(const describe::token& t, sequence<value>& stack) {
+  using describe::token_kind;
+  if (t.what < token_kind::add || t.what > token_kind::divide) return false;
+  if (stack.back().kind == shape::vector) return combine_with_vector(t, stack);
+  value& a = stack[stack.size() - 2];
+  const expression b = stack.back().scalar;
+  if (a.kind != shape::scalar || stack.back().kind != shape::scalar) return false;
+  if (t.what == token_kind::divide && b.is_zero()) return false;
+  stack.pop();
+  if (t.what == token_kind::multiply)
+    a.scalar *= b;
+  else if (t.what == token_kind::add)
+    a.scalar += b;
+  else
+    a.scalar = t.what == token_kind::subtract ? a.scalar + -b : a.scalar / b;
+  return true;
 }
 
 constexpr value transformed(const mechanics::mechanism& m, const describe::token& t, const value& a) {

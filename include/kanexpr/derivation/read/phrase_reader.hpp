@@ -232,38 +232,21 @@ private:
   }
 
   constexpr void basis_vector(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    mechanics::vector v;
     const int f = t.frame != nullptr ? frame(t.frame, whom) : reading_.describing;
     const std::string_view axis = axis_names.substr(static_cast<std::size_t>(t.index), 1);
     if (f == none)
       return reading_.fail({reading_.part, whom, " contains own::", axis,
                             ", which is valid only in the declared angular velocity of a frame; write ",
                             suggested_frame(), "::", axis});
-    v.add(f, mechanics::unit(*m_.g, t.index));
-    if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
-    stack.push(value::of(static_cast<mechanics::vector&&>(v)));
-  }
-
-  /// Sums, products and quotients of two scalars, the most frequent operations, without moving their values.
-  static constexpr bool combine_scalars(const describe::token& t, sequence<value>& stack) {
-    using describe::token_kind;
-    if (t.what < token_kind::add || t.what > token_kind::divide) return false;
-    value& a = stack[stack.size() - 2];
-    const expression b = stack.back().scalar;
-    if (a.kind != shape::scalar || stack.back().kind != shape::scalar) return false;
-    if (t.what == token_kind::divide && b.is_zero()) return false;
-    stack.pop();
-    if (t.what == token_kind::multiply)
-      a.scalar *= b;
-    else if (t.what == token_kind::add)
-      a.scalar += b;
-    else
-      a.scalar = t.what == token_kind::subtract ? a.scalar + -b : a.scalar / b;
-    return true;
+    value v;
+    v.kind = shape::vector;
+    v.vector.add(f, mechanics::unit(*m_.g, t.index));
+    if (is_displaced_) v.vector = displaced_axis(reading_.known->moving(), f, v.vector);
+    stack.push(static_cast<value&&>(v));
   }
 
   constexpr void combine(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    if (combine_scalars(t, stack)) return;
+    if (combine_in_place(t, stack)) return;
     const value b = static_cast<value&&>(stack.back());
     stack.pop();
     const value a = static_cast<value&&>(stack.back());
