@@ -29,7 +29,7 @@ endif()
 find_package(CLI11 QUIET)
 if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/kanexpr_robot.cpp)
-  target_link_libraries(kanexpr-robot PRIVATE kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
+  target_link_libraries(kanexpr-robot PRIVATE kanexpr_engine kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
     kanexpr_strict CLI11::CLI11)
   add_executable(kanexpr-export ${PROJECT_SOURCE_DIR}/include/kanexpr/exporting/kanexpr_export.cpp)
   target_link_libraries(kanexpr-export PRIVATE kanexpr_engine kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
