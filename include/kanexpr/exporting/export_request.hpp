@@ -91,6 +91,16 @@ inline std::string names_of_results() {
   return all;
 }
 
+/// The mistake in a result that does not exist.
+inline std::string mistake_of_result(std::string_view name) {
+  std::string mistake = "there is no result ";
+  mistake.append(name).append("; ");
+  for (const std::string_view linear : {"A", "B", "state_matrix", "input_matrix", "linearization"})
+    if (name == linear) return mistake.append("A and B are explicit_form; M, A and B are implicit_form");
+  mistake.append("expected ").append(names_of_results());
+  return mistake.append(", or a step, ").append(names_of_steps());
+}
+
 /// Returns the reason why there is no such method; empty if there is one.
 inline std::string mistake_of_method(const std::string& name) {
   if (steps::find_tableau(name) != nullptr) return {};
@@ -124,8 +134,7 @@ inline requested_function results(std::string_view names) {
       wanted.mistake =
           steps::find_tableau(name) != nullptr
               ? std::string(name) + " is a separate function and cannot be combined with other results"
-              : "there is no result " + std::string(name) + "; expected " + names_of_results() +
-                    ", or a step, " + names_of_steps();
+              : mistake_of_result(name);
     wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);
   }
   if (wanted.results.empty() && wanted.mistake.empty())

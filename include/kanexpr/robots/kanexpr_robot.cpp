@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <filesystem>
@@ -70,16 +71,20 @@ bool draw(const robot& seen, const request& r) {
 std::string read_weights(const std::vector<std::string>& words, operation_weights& into) {
   constexpr int most = 1'000'000; // so that weighted counts remain exact
   into.fused = -1;
+  std::vector<std::string> stated;
   for (const std::string& word : words) {
     const std::size_t sign = word.find('=');
-    const std::string called = word.substr(0, sign), number = sign == word.npos ? "" : word.substr(sign + 1);
+    if (sign == word.npos) return "the weight '" + word + "' lacks a number, as in addition=12";
+    const std::string called = word.substr(0, sign), number = word.substr(sign + 1);
     int operation_weights::* weight = nullptr;
     std::string known;
     for (const auto& each : kanexpr::symbolic::weighted_operations) {
       if (called == each.called) weight = each.weight;
       known.append(known.empty() ? "" : ", ").append(each.called);
     }
-    if (weight == nullptr) return "there is no weight of " + called + "; weights are those of " + known;
+    if (weight == nullptr) return "there is no weight of '" + called + "'; weights are those of " + known;
+    if (std::ranges::find(stated, called) != stated.end()) return called + " has two weights";
+    stated.push_back(called);
     const char* const end = number.data() + number.size();
     const auto [rest, error] = std::from_chars(number.data(), end, into.*weight);
     if (error != std::errc{} || rest != end || into.*weight < 0 || into.*weight > most)
@@ -166,11 +171,11 @@ int main(int count, char** arguments) {
   app.add_flag_callback(
       "--friction", [&r] { r.model.friction.emplace(); }, "include the dry friction of joints");
   app.add_flag_callback("--stops", [&r] { r.model.stops.emplace(); }, "make the limits of joints stops");
-  app.add_flag("--cheapest", r.is_cheapest,
-               "state the form of the equations in which u' takes the fewest operations");
+  auto* const cheapest = app.add_flag(
+      "--cheapest", r.is_cheapest, "state the form of the equations in which u' takes the fewest operations");
   app.add_flag("--explain", r.explains,
                "print the forms of the equations and what u' costs in each; write nothing")
-      ->excludes(output, picture);
+      ->excludes(output, picture, cheapest);
   app.add_option("--weights", r.weights,
                  "what operations cost on the target, in any unit, for --cheapest, --explain and the header: "
                  "addition=12,division=45")

@@ -319,21 +319,21 @@ KANEXPR_ENGINE std::string explanation::text() const {
                     std::to_string(k.divisions), std::to_string(k.trigonometric), std::to_string(k.other),
                     std::to_string(c.weighted)});
   }
-  std::size_t widest = 0;
-  for (const auto& row : rows) widest = (std::max)(widest, row[0].size());
+  std::array<std::size_t, columns + 1> widths;
+  widths.fill(6);
+  for (const auto& row : rows)
+    for (std::size_t j = 0; j <= columns; ++j) widths[j] = (std::max)(widths[j], row[j].size());
   std::string all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool is_cheapest = i == cheapest + 1;
-    all += (is_cheapest ? "* " : "  ") + rows[i][0] + std::string(widest - rows[i][0].size(), ' ');
+    all += (is_cheapest ? "* " : "  ") + rows[i][0] + std::string(widths[0] - rows[i][0].size(), ' ');
     if (i > 0 && !candidates[i - 1].applies()) {
       all += candidates[i - 1].is_left_out ? "  not formed: " : "  does not apply: ";
       all += candidates[i - 1].cause + '\n';
       continue;
     }
-    for (std::size_t j = 1; j <= columns; ++j) {
-      const std::size_t width = (std::max)(rows[0][j].size(), std::size_t{6});
-      all += "  " + std::string(width - (std::min)(width, rows[i][j].size()), ' ') + rows[i][j];
-    }
+    for (std::size_t j = 1; j <= columns; ++j)
+      all += "  " + std::string(widths[j] - rows[i][j].size(), ' ') + rows[i][j];
     all += '\n';
   }
   return all + (best().word.empty() ? "" : "\n" + best().word + '\n');

@@ -35,12 +35,12 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
   if (!of.mistake.empty()) return outcome(of.mistake);
   if (chosen.lengths.longest < 1 || chosen.lengths.piece < 1)
     return outcome("functions must be allowed to have at least one line");
-  if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
-    return outcome(mistake);
   if (chosen.number == precision::single_precision)
     for (const bound_parameter& each : chosen.bound)
       if (each.value != 0 && static_cast<float>(each.value) == 0)
         return outcome("parameter " + each.name + " is bound to a number that is 0 in float");
+  if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
+    return outcome(mistake);
   const c_file file(of.system, chosen.number, chosen.lengths);
   std::vector<file_text> files{{folder / (of.system.name + ".h"), file.header()},
                                {folder / (of.system.name + ".c"), file.source()}};
