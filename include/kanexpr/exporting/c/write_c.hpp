@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/exporting/c/c_file.hpp>
 #include <kanexpr/exporting/cpp/cpp_file.hpp>
@@ -37,7 +38,7 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
     return outcome("functions must be allowed to have at least one line");
   if (chosen.number == precision::single_precision)
     for (const bound_parameter& each : chosen.bound)
-      if (each.value != 0 && static_cast<float>(each.value) == 0)
+      if (!base::equal(each.value, 0.0) && base::equal(static_cast<float>(each.value), 0.0F))
         return outcome("parameter " + each.name + " is bound to a number that is 0 in float");
   if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
     return outcome(mistake);
