@@ -69,14 +69,21 @@ inline std::string_view name_of(mechanics::quantity of) {
   return parts_of_linearizations[static_cast<int>(of) - static_cast<int>(mechanics::quantity::state_matrix)];
 }
 
+/// "mass_matrix, forcing or udot".
+inline std::string alternatives(const std::vector<std::string_view>& names) {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    all.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
+  return all;
+}
+
 } // namespace detail
 
 /// "runge_kutta_4, ralston_3 or semi_implicit_euler".
 inline std::string names_of_steps() {
-  std::string all;
-  for (const steps::tableau* each : steps::tableaux)
-    all.append(all.empty() ? "" : each == steps::tableaux.back() ? " or " : ", ").append(each->name);
-  return all;
+  std::vector<std::string_view> names;
+  for (const steps::tableau* each : steps::tableaux) names.emplace_back(each->name);
+  return detail::alternatives(names);
 }
 
 /// "mass_matrix, forcing, … or jacobian": the results that exported functions can return.
@@ -85,10 +92,7 @@ inline std::string names_of_results() {
   for (const mechanics::result_row& row : mechanics::results)
     if (!row.takes_weights && !row.takes_direction && (names.empty() || names.back() != row.called))
       names.push_back(row.called);
-  std::string all;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    all.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
-  return all;
+  return detail::alternatives(names);
 }
 
 /// The mistake in a result that does not exist.
