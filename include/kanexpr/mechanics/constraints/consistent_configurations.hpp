@@ -30,6 +30,15 @@ public:
   consistent_configurations(const consistent_configurations&) = delete;
   consistent_configurations& operator=(const consistent_configurations&) = delete;
 
+  /// Calls `visit` with each symbol on which the constraints depend.
+  template <class Visit>
+  constexpr void each_symbol(const Visit& visit) const {
+    for (int id : evaluate_.live())
+      if ((*m_.g)[id].op == symbolic::operation::symbol) visit(id);
+    for (const frame* f : quaternions_)
+      for (const expression& e : f->quaternion) visit(e.node());
+  }
+
   /// Finds another configuration from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
     generic_.draw();
@@ -67,14 +76,6 @@ public:
 
   constexpr double length_of_constraint(int i) const { return length_of_row(count_of_norms() + i); }
 
-  /// Calls `visit` with each symbol on which the constraints depend.
-  template <class Visit>
-  constexpr void each_symbol(const Visit& visit) const {
-    for (int id : evaluate_.live())
-      if ((*m_.g)[id].op == symbolic::operation::symbol) visit(id);
-    for (const frame* f : quaternions_)
-      for (const expression& e : f->quaternion) visit(e.node());
-  }
   constexpr double operator[](int symbol) const { return symbols_[symbol]; }
 
 private:

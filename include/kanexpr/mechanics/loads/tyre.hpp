@@ -55,44 +55,15 @@ struct tyre {
 
   constexpr bool is_radial() const { return radial.stiffness.is_given(); }
 
-  constexpr void act(force_system& on, conservative how) const {
-    const mechanism& m = *on.skeleton_used().model;
-    const wheel_contact at = wheel.contact(m);
-    const slipping s = slip_at(on, at);
-    const tyre_effort f = known_law(on).at(s.slip);
-    components force = f.forward * at.forward, torque = f.aligning * at.normal;
-    force += f.lateral * at.lateral;
-    if (is_radial()) {
-      const bool is_in_energy = how == conservative::by_energy && has_energy();
-      force += (is_in_energy ? s.slip.load - s.elastic : s.slip.load) * at.normal;
-    }
-    torque += f.overturning * at.forward;
-    torque += f.rolling * at.lateral;
-    if (effective_radius.is_given()) {
-      const expression arm = on.known(effective_radius) - at.loaded_radius;
-      torque -= (f.forward * arm) * at.axis;
-    }
-    wheel.add_force(on, at, force);
-    if (!torque.is_zero()) wheel.add_torque(on, torque);
-    if (!relaxation) return;
-    on.add_share(relaxation.forward, s.forward_rate);
-    on.add_share(relaxation.lateral, s.lateral_rate);
-  }
+  constexpr void act(force_system& on, conservative how) const;
 
   /// The slip and the load on which the forces depend.
-  constexpr tyre_slip slip(observed_motion& on) const {
-    return slip_at(on, wheel.contact(*on.skeleton_used().model)).slip;
-  }
+  constexpr tyre_slip slip(observed_motion& on) const;
   /// The forces and moments of the ground on the wheel.
-  constexpr tyre_effort effort(observed_motion& on) const { return known_law(on).at(slip(on)); }
+  constexpr tyre_effort effort(observed_motion& on) const;
 
   /// Appends the rates of the deflections.
-  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
-    if (!relaxation) return;
-    const slipping s = slip_at(on, wheel.contact(*on.skeleton_used().model));
-    all.push({relaxation.forward, s.forward_rate, {}});
-    all.push({relaxation.lateral, s.lateral_rate, {}});
-  }
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const;
 
   /// Of the radial stiffness; zero on uneven ground, where its force is applied without an energy.
   constexpr expression potential_energy(const mechanism& m) const {
@@ -164,6 +135,45 @@ private:
     s.forward_rate = -x - forward_decay, s.lateral_rate = -y - lateral_decay;
   }
 };
+
+// Below the templates that they use: clang++ would otherwise form these too late for constant expressions.
+
+constexpr void tyre::act(force_system& on, conservative how) const {
+  const mechanism& m = *on.skeleton_used().model;
+  const wheel_contact at = wheel.contact(m);
+  const slipping s = slip_at(on, at);
+  const tyre_effort f = known_law(on).at(s.slip);
+  components force = f.forward * at.forward, torque = f.aligning * at.normal;
+  force += f.lateral * at.lateral;
+  if (is_radial()) {
+    const bool is_in_energy = how == conservative::by_energy && has_energy();
+    force += (is_in_energy ? s.slip.load - s.elastic : s.slip.load) * at.normal;
+  }
+  torque += f.overturning * at.forward;
+  torque += f.rolling * at.lateral;
+  if (effective_radius.is_given()) {
+    const expression arm = on.known(effective_radius) - at.loaded_radius;
+    torque -= (f.forward * arm) * at.axis;
+  }
+  wheel.add_force(on, at, force);
+  if (!torque.is_zero()) wheel.add_torque(on, torque);
+  if (!relaxation) return;
+  on.add_share(relaxation.forward, s.forward_rate);
+  on.add_share(relaxation.lateral, s.lateral_rate);
+}
+
+constexpr tyre_slip tyre::slip(observed_motion& on) const {
+  return slip_at(on, wheel.contact(*on.skeleton_used().model)).slip;
+}
+
+constexpr tyre_effort tyre::effort(observed_motion& on) const { return known_law(on).at(slip(on)); }
+
+constexpr void tyre::add_state_rates(force_system& on, sequence<state_rate>& all) const {
+  if (!relaxation) return;
+  const slipping s = slip_at(on, wheel.contact(*on.skeleton_used().model));
+  all.push({relaxation.forward, s.forward_rate, {}});
+  all.push({relaxation.lateral, s.lateral_rate, {}});
+}
 
 constexpr void tyre::check_with(load_check& by, int) const {
   wheel.check_with(by, "the tyre");

@@ -11,7 +11,7 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
-#include <cstddef>
+#include <span>
 #include <type_traits>
 
 namespace kanexpr::mechanics {
@@ -89,8 +89,7 @@ private:
   constexpr expression number(double value) const { return symbolic::constant(g_, symbolic::real(value)); }
 
   /// The product of a coefficient and amplitudes.
-  template <std::size_t count>
-  constexpr expression product(double coefficient, const int (&amplitudes)[count]) const {
+  constexpr expression product(double coefficient, std::span<const int> amplitudes) const {
     expression value = number(coefficient);
     for (const int k : amplitudes)
       if (k >= 0) value = value * q_[k];
