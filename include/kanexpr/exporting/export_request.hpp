@@ -82,6 +82,7 @@ inline std::string alternatives(const std::vector<std::string_view>& names) {
 /// "runge_kutta_4, ralston_3 or semi_implicit_euler".
 inline std::string names_of_steps() {
   std::vector<std::string_view> names;
+  names.reserve(steps::tableaux.size());
   for (const steps::tableau* each : steps::tableaux) names.emplace_back(each->name);
   return detail::alternatives(names);
 }
