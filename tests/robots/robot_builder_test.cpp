@@ -4,6 +4,7 @@
 
 #include <kanexpr/robots/read_urdf.hpp>
 #include <kanexpr/robots/robot_builder.hpp>
+#include <kanexpr/runtime/explain.hpp>
 #include <kanexpr/units/si.hpp>
 
 #include <Eigen/Core>
@@ -82,6 +83,50 @@ INSTANTIATE_TEST_SUITE_P(files, robot_builders,
                            std::ranges::replace(name, '.', '_');
                            return name;
                          });
+
+// An angular velocity along an oblique axis has the same components on both sides of the joint.
+TEST(robot_builder, forms_short_equations_without_checks_about_oblique_axes) {
+  struct expected {
+    const char* file;
+    base_kind base;
+    int products_and_sums;
+  };
+  for (const auto& [file, base, most] : {expected{"arm.urdf", base_kind::fixed, 604},
+                                         {"arm.urdf", base_kind::floating, 1226},
+                                         {"gripper.urdf", base_kind::fixed, 171},
+                                         {"walker.urdf", base_kind::fixed, 97},
+                                         {"walker.urdf", base_kind::floating, 1154}}) {
+    const robot_builder built(robot_of(file), {.base = base});
+    const symbolic::cost cost = explain(built, {.searches = false}).chosen().cost;
+    EXPECT_LE(cost.multiplications + cost.additions, most) << file;
+    model m = derive(built);
+    const auto udot = symbolic::nodes_of(m.udot().entries);
+    EXPECT_EQ(m.equations().singularity_checks_of(udot).size(), 0) << file;
+  }
+}
+
+// A rod that turns only about its own axis has no kinetic energy, so its mass matrix may be singular.
+TEST(robot_builder, checks_mass_matrices_of_rods_about_two_axes) {
+  const auto checks_with = [](const std::string& inertia_along_the_rod) {
+    const read_robot read = read_urdf_text(
+        "<robot><link name='ground'/><link name='cross'/><link name='rod'><inertial><mass value='2'/>"
+        "<inertia ixx='0.3' iyy='0.3' izz='" +
+        inertia_along_the_rod +
+        "' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+        "<joint name='a' type='continuous'><parent link='ground'/><child link='cross'/><axis xyz='1 2 "
+        "2'/></joint>"
+        "<joint name='b' type='continuous'><parent link='cross'/><child link='rod'/><axis xyz='0 3 "
+        "4'/></joint>"
+        "</robot>");
+    EXPECT_TRUE(read) << read.cause();
+    const robot_builder built(read.robot);
+    EXPECT_EQ(built.cause(), "");
+    model m = derive(built);
+    return m.equations().singularity_checks_of(symbolic::nodes_of(m.udot().entries)).size();
+  };
+  EXPECT_EQ(checks_with("0.1"), 0);
+  EXPECT_GT(checks_with("0"), 0);
+}
 
 TEST(robot_builder, knows_links_by_their_names_in_the_file) {
   robot_builder arm(robot_of("arm.urdf"));

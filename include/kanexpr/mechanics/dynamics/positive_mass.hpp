@@ -28,9 +28,10 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
 
 /// Proves that a mass matrix is positive definite in every configuration by showing, from the ground outward,
 /// that all parts are at rest if the kinetic energy is zero. A frame that rotates in a frame at rest is
-/// itself at rest if its axes are numeric and the inertias that rotate with it resist all of its rotations. A
-/// point that slides relative to a point at rest is itself at rest if its directions are numeric and it has
-/// mass. All masses and inertias must be numeric, and no kinetic energy may be negative.
+/// itself at rest if its axes are numeric and the inertias that rotate with it resist all of its rotations;
+/// the axes are numeric in the frame, or in another one if the inertias resist every rotation. A point that
+/// slides relative to a point at rest is itself at rest if its directions are numeric and it has mass. All
+/// masses and inertias must be numeric, and no kinetic energy may be negative.
 class positive_energy_proof {
 public:
   constexpr explicit positive_energy_proof(const skeleton& s)
@@ -64,6 +65,16 @@ private:
     sequence<int> speeds{};
     sequence<triple> values{};
     bool known = true;
+
+    constexpr void add(int speed, const triple& value) {
+      for (int i = 0; i < speeds.size(); ++i)
+        if (speeds[i] == speed) {
+          values[i] = values[i] + value;
+          return;
+        }
+      speeds.push(speed);
+      values.push(value);
+    }
   };
 
   static constexpr double value(const expression& e) { return e.owner().number_at(e.node()).value(); }
@@ -92,8 +103,7 @@ private:
       const components c = express(m_, d.value, from_axes, to_axes);
       w.known = w.known && c.is_constant();
       if (!w.known) break;
-      w.speeds.push(d.speed);
-      w.values.push(value(c));
+      w.add(d.speed, value(c));
     }
     return w;
   }
@@ -109,17 +119,33 @@ private:
     return true;
   }
 
+  /// The partial angular velocities of a frame in the innermost one around it that is at rest.
+  constexpr numeric_partials free_rotations(int f, int axes) const {
+    numeric_partials all;
+    for (int g = f; all.known && frame_is_at_rest_[g] == 0; g = s_.turns_in[g]) {
+      const numeric_partials some = free_speeds(s_.partial_angular_velocities[g], s_.working_axes[g], axes);
+      all.known = some.known;
+      for (int i = 0; i < some.speeds.size(); ++i) all.add(some.speeds[i], some.values[i]);
+    }
+    return all;
+  }
+
   constexpr bool frame_must_rest(int f) {
-    if (frame_is_at_rest_[s_.turns_in[f]] == 0) return false;
-    const numeric_partials w =
-        free_speeds(s_.partial_angular_velocities[f], s_.working_axes[f], s_.body_axes[f]);
-    if (!w.known || w.speeds.empty()) return w.known;
+    const numeric_partials w = free_rotations(f, s_.body_axes[f]);
+    if (w.known && w.speeds.empty()) return true;
     triad energy;
     for (const link& l :
          s_.links)      // about the station if it is at rest; otherwise about the mass center, where the
       if (l.frame == f) // omitted part is nonnegative
         energy = energy + inertia(l, station_is_at_rest_[l.station] == 0);
-    return prove(w, energy);
+    if (w.known) return prove(w, energy);
+    if (!is_positive_definite(energy)) return false;
+    // The inertias resist every rotation, so it suffices that the rotations are independent, in any axes.
+    for (int axes = f; axes != mechanism::inertial; axes = m_.frames[axes].parent) {
+      const numeric_partials v = free_rotations(f, axes);
+      if (v.known) return prove(v, diagonal(1));
+    }
+    return false;
   }
 
   /// The inertia about the mass center or about the station.

@@ -16,10 +16,19 @@ struct elementary_rotation {
   int axis = 0;
   expression angle{}; ///< angle of the old axes relative to the new ones
   matrix3 to_new{};
+  const components* about =
+      nullptr; ///< the axis of `to_new`, whose components it keeps; null if it is not known
 };
 
+/// Whether two vectors, neither of which is zero, are parallel in every configuration.
+constexpr bool are_parallel(const components& a, const components& b) {
+  for (int i = 0; i < 3; ++i)
+    if (a[i].is_zero() != b[i].is_zero()) return false;
+  return cross(a, b).is_zero();
+}
+
 constexpr components turned(const elementary_rotation& h, const components& v) {
-  if (!h.about_basis) return h.to_new * v;
+  if (!h.about_basis) return h.about != nullptr && are_parallel(v, *h.about) ? v : h.to_new * v;
   const int b = (h.axis + 1) % 3, d = (h.axis + 2) % 3;
   const expression s = sin(h.angle), c = cos(h.angle);
   components out = v;
@@ -118,7 +127,8 @@ private:
       } else if (!f.to_parent.is_identity()) {
         if (axis != none) rotations_.push({true, axis, {*m.g, angle}, matrix3{}});
         axis = none;
-        rotations_.push({false, 0, expression{}, is_upward ? f.to_parent : transpose(f.to_parent)});
+        rotations_.push({false, 0, expression{}, is_upward ? f.to_parent : transpose(f.to_parent),
+                         f.kind == orientation::about_axis ? &f.direction : nullptr});
       }
     }
     if (axis != none) rotations_.push({true, axis, {*m.g, angle}, matrix3{}});
