@@ -29,10 +29,10 @@ REFERENCE = with_kanexpr.Compiled("g++")
 
 
 def peers():
-    return [with_kanexpr.Compiled("clang++-19"), with_kanexpr.Compiled("g++", lanes=4),
-            with_kanexpr.Compiled("clang++-19", lanes=4), with_kanexpr.Many("g++", MANY), with_kanexpr.Interpreted(), with_pinocchio.Traced("gcc"),
-            with_pinocchio.Traced("clang-19"), with_pinocchio.Algorithms(), with_casadi.Generated(),
-            with_mujoco.Algorithms(), with_sympy.Generated(), with_sympy.Lambdified()]
+    side_by_side = [with_kanexpr.Compiled(compiler, lanes=lanes) for lanes in (4, 8) for compiler in ("g++", "clang++-19")]
+    return [with_kanexpr.Compiled("clang++-19"), *side_by_side, with_kanexpr.Many("g++", MANY), with_kanexpr.Interpreted(),
+            with_pinocchio.Traced("gcc"), with_pinocchio.Traced("clang-19"), with_pinocchio.Algorithms(),
+            with_casadi.Generated(), with_mujoco.Algorithms(), with_sympy.Generated(), with_sympy.Lambdified()]
 
 
 ROOM = 64  # numbers beside a result: statuses

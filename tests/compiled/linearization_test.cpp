@@ -161,7 +161,7 @@ TEST(linearization, checks_every_entry_of_a_large_matrix) {
   for (int i = 0; i < 12; ++i) {
     p[i] = 1e200;
     const auto [A, B] = without_heap(of_blocks::explicit_form, x, p, r);
-    EXPECT_EQ(A.status.cause(), "a result is not finite at this state") << i;
+    EXPECT_EQ(A.status.cause(), "the results are not finite at this state") << i;
     EXPECT_EQ(A(12 + i, i), -std::numeric_limits<double>::infinity());
     p[i] = 1;
   }

@@ -1,9 +1,12 @@
+#include <kanexpr/numeric/square_roots.hpp>
 #include <kanexpr/numeric/vectors.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace {
@@ -75,6 +78,35 @@ TEST(Converted, HasTheValuesOfEachLane) {
   for (std::size_t lane = 0; lane < 4; ++lane)
     EXPECT_EQ(__builtin_bit_cast(std::uint64_t, double(wide[lane])),
               __builtin_bit_cast(std::uint64_t, double{given[lane]}));
+}
+
+TYPED_TEST(Vectors, HaveTheSquareRootsOfTheirLanes) {
+  using T = TypeParam;
+  if constexpr (lanes<T>::count > 1) {
+    using number = number_of<T>;
+    const number some[]{0,
+                        number(-0.0),
+                        2,
+                        3,
+                        number(0.1),
+                        std::numeric_limits<number>::denorm_min(),
+                        std::numeric_limits<number>::infinity(),
+                        std::numeric_limits<number>::max(),
+                        -1};
+    for (std::size_t first = 0; first < std::size(some); ++first) {
+      T x{};
+      for (std::size_t lane = 0; lane < lanes<T>::count; ++lane)
+        x[lane] = some[(first + lane) % std::size(some)];
+      const T roots = kanexpr::numeric::square_roots(x);
+      for (std::size_t lane = 0; lane < lanes<T>::count; ++lane) {
+        const number expected = std::sqrt(x[lane]);
+        if (std::isnan(expected))
+          EXPECT_TRUE(std::isnan(roots[lane]));
+        else
+          EXPECT_EQ(roots[lane], expected) << "lane " << lane;
+      }
+    }
+  }
 }
 
 } // namespace

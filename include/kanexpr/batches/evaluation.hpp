@@ -119,8 +119,7 @@ template <class Function, class Pack, class Number, class... Arguments>
     [&]<std::size_t... place>(std::index_sequence<place...>) __attribute__((always_inline)) {
       (keep.template operator()<place>(std::get<place>(found)), ...);
     }(std::make_index_sequence<described::results>{});
-  if (described::must_be_finite && first && !all.all_finite())
-    return status("a result is not finite at this state");
+  if (described::must_be_finite && first && !all.all_finite()) return compiled::results_not_finite;
   return first;
 }
 

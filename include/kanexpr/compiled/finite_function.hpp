@@ -50,8 +50,7 @@ private:
   [[gnu::always_inline]] static void check_result(with_status<Result>& result, const State& x,
                                                   const Parameters& p, const Inputs& r) {
     status s = result.status;
-    if (s && !is_finite<index>(static_cast<const Result&>(result)))
-      s = status("a result is not finite at this state");
+    if (s && !is_finite<index>(static_cast<const Result&>(result))) s = compiled::results_not_finite;
     if (!s) s = compiled::not_finite<System>::cause_of(s, x, p, r);
     result.status = s;
   }

@@ -26,6 +26,9 @@ base::sentence gap_among(const Parameters& p, const Inputs& r) {
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
+/// The failure if all arguments are finite.
+inline constexpr status results_not_finite("the results are not finite at this state");
+
 /// Returns a message such as "m has no finite value" for every symbol of a system.
 template <class System>
 constexpr auto causes_of_gaps() {
