@@ -12,6 +12,8 @@
 #include <models/puma.hpp>
 #include <models/rolling_disc_constrained.hpp>
 
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <limits>
 #include <string>

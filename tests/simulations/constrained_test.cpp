@@ -2,6 +2,8 @@
 // The beginning of simulations with constraints, and their end if a constraint cannot be satisfied.
 #include "simulations/led_bars.hpp"
 
+#include <kanexpr/base/digits.hpp>
+
 #include <cmath>
 
 namespace {

@@ -11,13 +11,23 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
-#include <span>
+#include <cstddef>
 #include <type_traits>
 
 namespace kanexpr::mechanics {
 
 /// Forms the expressions of a flexible body from its numbers.
 class flexible_expressions {
+  /// The product of a coefficient and amplitudes; above its uses, where clang++ needs it for constant
+  /// expressions.
+  template <std::size_t count>
+  constexpr expression product(double coefficient, const int (&amplitudes)[count]) const {
+    expression value = number(coefficient);
+    for (const int k : amplitudes)
+      if (k >= 0) value = value * q_[k];
+    return value;
+  }
+
 public:
   /// The body has at least one amplitude.
   constexpr flexible_expressions(const flexible_data& data, const sequence<expression>& amplitudes)
@@ -87,14 +97,6 @@ private:
   constexpr int size() const { return q_.size(); }
   constexpr expression zero() const { return {g_, graph::zero}; }
   constexpr expression number(double value) const { return symbolic::constant(g_, symbolic::real(value)); }
-
-  /// The product of a coefficient and amplitudes.
-  constexpr expression product(double coefficient, std::span<const int> amplitudes) const {
-    expression value = number(coefficient);
-    for (const int k : amplitudes)
-      if (k >= 0) value = value * q_[k];
-    return value;
-  }
 
   /// c + Σ_k q_k (c_k + ½ c_kk q_k + Σ_{l < k} c_kl q_l).
   constexpr expression value_of(const taylor_series& f, int i) const {
