@@ -84,6 +84,12 @@ INSTANTIATE_TEST_SUITE_P(files, robot_builders,
                            return name;
                          });
 
+/// The number of checks for singularities in the computation of u̇.
+int checks_of_udot(const robot_builder& built) {
+  model m = derive(built);
+  return m.equations().singularity_checks_of(symbolic::nodes_of(m.udot().entries)).size();
+}
+
 // An angular velocity along an oblique axis has the same components on both sides of the joint.
 TEST(robot_builder, forms_short_equations_without_checks_about_oblique_axes) {
   struct expected {
@@ -99,9 +105,7 @@ TEST(robot_builder, forms_short_equations_without_checks_about_oblique_axes) {
     const robot_builder built(robot_of(file), {.base = base});
     const symbolic::cost cost = explain(built, {.searches = false}).chosen().cost;
     EXPECT_LE(cost.multiplications + cost.additions, most) << file;
-    model m = derive(built);
-    const auto udot = symbolic::nodes_of(m.udot().entries);
-    EXPECT_EQ(m.equations().singularity_checks_of(udot).size(), 0) << file;
+    EXPECT_EQ(checks_of_udot(built), 0) << file;
   }
 }
 
@@ -121,8 +125,7 @@ TEST(robot_builder, checks_mass_matrices_of_rods_about_two_axes) {
     EXPECT_TRUE(read) << read.cause();
     const robot_builder built(read.robot);
     EXPECT_EQ(built.cause(), "");
-    model m = derive(built);
-    return m.equations().singularity_checks_of(symbolic::nodes_of(m.udot().entries)).size();
+    return checks_of_udot(built);
   };
   EXPECT_EQ(checks_with("0.1"), 0);
   EXPECT_GT(checks_with("0"), 0);
