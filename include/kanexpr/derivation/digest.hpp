@@ -21,8 +21,9 @@ constexpr void take_externals(base::digest& all, const Holder& externals, int co
 template <std::same_as<image> Image>
 constexpr std::uint64_t digest_of(const Image& of) {
   base::digest all;
-  for (int count : {of.nodes, of.numbers, of.integers, of.externals}) all.take(count);
-  for (int i = 0; i < of.nodes; ++i) all.take(of.op[i]), all.take(of.a[i]), all.take(of.b[i]);
+  for (int count : {of.graph.size, of.numbers, of.integers, of.externals}) all.take(count);
+  const auto& nodes = of.graph.nodes.value;
+  for (int i = 0; i < of.graph.size; ++i) all.take(nodes[i].op), all.take(nodes[i].a), all.take(nodes[i].b);
   for (int i = 0; i < of.numbers; ++i)
     all.take(of.numerators[i]), all.take(of.denominators[i]), all.take(of.reals[i]);
   for (int i = 0; i < of.integers; ++i) all.take(of.integer[i]);

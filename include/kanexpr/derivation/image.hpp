@@ -23,16 +23,12 @@ namespace kanexpr::derivation {
 /// counts are unused. Only constant evaluation may use it, because any other reference would put it into the
 /// program.
 struct image {
-  static constexpr int most_nodes = 1 << 18;
   static constexpr int most_integers = 1 << 18;
   static constexpr int most_numbers = 1 << 14;
   static constexpr int most_entities = 1 << 12;
   static constexpr int most_externals = 1 << 8;
 
-  int nodes = 0;
-  symbolic::operation op[most_nodes]{};
-  int a[most_nodes]{};
-  int b[most_nodes]{};
+  symbolic::graph::stored graph{};
 
   int numbers = 0;
   std::int64_t numerators[most_numbers]{};
@@ -66,19 +62,6 @@ inline constexpr std::int64_t one_above_int = std::int64_t{1} << 31;
 /// Both directions share one function for each type of a part, because compilers take long to instantiate
 /// these functions. Writing does not change the parts.
 class image_transfer {
-  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
-  // declared later in the class
-  template <class Nodes>
-  constexpr void write_nodes(const Nodes& all, int nodes) {
-    auto& op = into_->op; // references to arrays, because compilers remember every address
-    auto &a = into_->a, &b = into_->b;
-    for (int id = 0; id < nodes; ++id) {
-      op[id] = all[id].op;
-      a[id] = all[id].a;
-      b[id] = all[id].b;
-    }
-  }
-
 public:
   /// Writes; starts with the graph.
   constexpr image_transfer(image& into, const symbolic::graph& g);
@@ -250,17 +233,6 @@ private:
     into_->integers += all.size();
   }
 
-  constexpr void write_nodes(const symbolic::graph& g) {
-    if (g.size() > image::most_nodes) {
-      into_->is_full = true;
-      return;
-    }
-    into_->nodes = g.size();
-    if (__builtin_is_constant_evaluated())
-      write_nodes(g.elements<true>(), g.size());
-    else
-      write_nodes(g.elements<false>(), g.size());
-  }
   constexpr void write_numbers(const symbolic::graph& g) {
     for (const symbolic::number& n : g.numbers()) {
       if (!has_room(into_->numbers, image::most_numbers)) return;
@@ -285,7 +257,10 @@ private:
 
 constexpr image_transfer::image_transfer(image& into, const symbolic::graph& g)
     : writes_(true), into_(&into) {
-  write_nodes(g);
+  if (g.size() > symbolic::graph::most_stored)
+    into.is_full = true;
+  else
+    g.store(into.graph);
   write_numbers(g);
   write_externals(g);
   base::sequence<symbolic::symbol> symbols = g.symbols();
@@ -301,7 +276,7 @@ constexpr image_transfer::image_transfer(const image& from, symbolic::graph& g, 
   base::sequence<symbolic::symbol> symbols;
   (*this)(symbols);
   g.restore(static_cast<base::sequence<symbolic::number>&&>(numbers),
-            static_cast<base::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b, from.nodes);
+            static_cast<base::sequence<symbolic::symbol>&&>(symbols), from.graph);
   for (int i = 0; i < from.externals; ++i) g.externals().push(from.external[i]);
 }
 

@@ -46,15 +46,6 @@ class graph {
       nodes[id].b = all[id].b;
     }
   }
-  template <class Nodes, class Operations, class Operands>
-  static constexpr void fill(Nodes& nodes, const Operations& op, const Operands& a, const Operands& b,
-                             int count) {
-    for (int id = 0; id < count; ++id) {
-      nodes[id].op = op[id];
-      nodes[id].a = a[id];
-      nodes[id].b = b[id];
-    }
-  }
 
   template <class Nodes, class Table>
   constexpr void index_nodes(const Nodes& nodes, Table& table, int count) {
@@ -212,34 +203,52 @@ public:
     has_lists_ = kept.has_lists;
   }
 
-  /// Restores a stored graph from arrays of its nodes in order.
-  template <class Operations, class Operands>
-  constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const Operations& op,
-                         const Operands& a, const Operands& b, int nodes) {
+  static constexpr int most_stored = 1 << 20;
+
+  /// The nodes in constant evaluation, where the compiler stores only those that are written.
+  struct block {
+    node value[most_stored]{};
+  };
+  /// The hash table there. base::zeros provides such an array too, but only by a call.
+  struct hash_table {
+    int value[2 * most_stored]{};
+  };
+
+  /// The nodes of a graph, as arrays that can outlive constant evaluation, where a single step copies them
+  /// and the hash table. At run time, which finds the places of the nodes again, the table remains empty.
+  struct stored {
+    int size = 0;
+    int room = 0;
+    bool has_lists = false;
+    block nodes{};
+    hash_table table{};
+  };
+
+  /// Stores the nodes, of which there must be at most `most_stored`.
+  constexpr void store(stored& into) const {
+    into.size = size_, into.room = room_, into.has_lists = has_lists_;
+    if (__builtin_is_constant_evaluated())
+      into.nodes = *block_, into.table = *slots_;
+    else
+      copy(into.nodes.value, nodes_, size_);
+  }
+  /// Restores stored nodes with their numbers and symbols.
+  constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const stored& from) {
     numbers_ = static_cast<sequence<number>&&>(numbers);
     symbols_ = static_cast<sequence<symbol>&&>(symbols);
-    int room = least_room;
-    while (2 * nodes > room) room *= 4; // for the nodes that are added
-    allocate(room);
-    if (__builtin_is_constant_evaluated())
-      fill(block_->value, op, a, b, nodes);
-    else
-      fill(nodes_, op, a, b, nodes);
-    index_nodes(nodes);
+    has_lists_ = from.has_lists;
+    allocate(from.room);
+    if (__builtin_is_constant_evaluated()) {
+      *block_ = from.nodes, *slots_ = from.table;
+      size_ = from.size;
+    } else {
+      copy(nodes_, from.nodes.value, from.size);
+      index_nodes(from.size);
+    }
   }
 
 private:
   static constexpr int least_room = 1 << 9;
-  static constexpr int constant_room = base::zeros<int>::room / 2;
-
-  /// The nodes in constant evaluation, where the compiler stores only those that are written.
-  struct block {
-    node value[constant_room];
-  };
-  /// The hash table there. base::zeros provides such an array too, but only by a call.
-  struct hash_table {
-    int value[2 * constant_room]{};
-  };
 
   static constexpr unsigned hash(const number& value) {
     const std::uint64_t fraction =
