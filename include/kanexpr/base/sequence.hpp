@@ -12,7 +12,8 @@ template <class Element>
 class sequence {
 public:
   constexpr sequence() = default;
-  constexpr explicit sequence(int size, const Element& value = Element{}) { resize(size, value); }
+  constexpr explicit sequence(int size) { resize(size); }
+  constexpr sequence(int size, const Element& value) { resize(size, value); }
   constexpr sequence(std::initializer_list<Element> values) {
     reserve(static_cast<int>(values.size()));
     for (const Element& value : values) push(value);
@@ -62,7 +63,17 @@ public:
   }
   constexpr void pop() { --size_; }
   constexpr void clear() { size_ = 0; }
-  constexpr void resize(int size, const Element& value = Element{}) {
+  constexpr void resize(int size) {
+    if constexpr (!__is_trivially_constructible(Element)) {
+      if (size > capacity_) { // the new elements are initialized already
+        reserve(size);
+        size_ = size;
+        return;
+      }
+    }
+    resize(size, Element{});
+  }
+  constexpr void resize(int size, const Element& value) {
     reserve(size);
     for (int i = size_; i < size; ++i) data_[i] = value;
     size_ = size;

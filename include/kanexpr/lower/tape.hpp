@@ -9,6 +9,7 @@
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/linear/symmetric_columns.hpp>
@@ -48,10 +49,10 @@ namespace detail {
 template <bool is_constant, class Tape>
 class scheduling {
 public:
-  constexpr scheduling(const graph& g, base::zeros<char>&& live, const sequence<int>& outputs)
-      : g_(g), live_(static_cast<base::zeros<char>&&>(live)), slots_(g.size()), listed_(2 * g.size()),
+  constexpr scheduling(const graph& g, symbolic::live_list&& live, const sequence<int>& outputs)
+      : g_(g), live_(static_cast<base::zeros<char>&&>(live.marks)), slots_(g.size()), listed_(2 * g.size()),
         outputs_(outputs) {
-    list_live(g.size());
+    list_live(live);
   }
   scheduling(const scheduling&) = delete;
   scheduling& operator=(const scheduling&) = delete;
@@ -87,17 +88,25 @@ public:
 private:
   static constexpr bool has_arrays = requires(Tape t) { t.steps.count; };
 
-  /// Lists the live nodes, including the sines and cosines from which tangents are computed.
-  constexpr void list_live(int end) {
+  /// Lists the live nodes in ascending order, including the sines and cosines from which tangents are
+  /// computed.
+  constexpr void list_live(const symbolic::live_list& all) {
     const auto& nodes = g_.elements<is_constant>();
-    auto& live = live_.elements<is_constant>();
+    const auto& descending = all.nodes.elements<is_constant>();
     auto& listed = listed_.elements<is_constant>();
-    for (int id = 0; id < end; ++id)
-      if (live[id] != 0 && nodes[id].op == operation::tan && has_either(id))
-        live[sine_of(id)] = live[cosine_of(id)] = 1;
+    bool adds_any = false;
     int count = 0;
-    for (int id = 0; id < end; ++id)
-      if (live[id] != 0) listed[count++] = id;
+    for (int i = all.count - 1; i >= 0; --i) {
+      const int id = descending[i];
+      listed[count++] = id;
+      if (nodes[id].op == operation::tan && has_either(id))
+        live_[sine_of(id)] = live_[cosine_of(id)] = 1, adds_any = true;
+    }
+    if (adds_any) {
+      count = 0;
+      for (int id = 0, end = live_.size(); id < end; ++id)
+        if (live_[id] != 0) listed[count++] = id;
+    }
     count_ = count;
   }
 
@@ -266,11 +275,11 @@ private:
 
 template <bool is_constant, class Tape>
 constexpr Tape tape_from(graph& g, const sequence<int>& outputs) {
-  base::zeros<char> live = symbolic::live_nodes(g, outputs);
-  if (!symbolic::has_linear_systems(g, live))
-    return scheduling<is_constant, Tape>(g, static_cast<base::zeros<char>&&>(live), outputs).run();
+  symbolic::live_list live(g, outputs);
+  if (!symbolic::has_linear_systems(g, live.marks))
+    return scheduling<is_constant, Tape>(g, static_cast<symbolic::live_list&&>(live), outputs).run();
   const sequence<int> expanded = symbolic::expand_solves(g, outputs);
-  return scheduling<is_constant, Tape>(g, symbolic::live_nodes(g, expanded), expanded).run();
+  return scheduling<is_constant, Tape>(g, symbolic::live_list(g, expanded), expanded).run();
 }
 
 } // namespace detail

@@ -5,6 +5,9 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <cstddef>
+#include <type_traits>
+
 namespace kanexpr::symbolic {
 
 /// Whether the second operand is a value, as opposed to the end of a list, an order or an index.
@@ -14,11 +17,14 @@ constexpr bool is_value(const node& n) {
 
 namespace detail {
 
-/// Marks the operands of all marked nodes.
-template <class Nodes, class Marks>
-constexpr void mark_operands(const Nodes& nodes, Marks& live, int last) {
+/// Marks the operands of all marked nodes. Lists all marked nodes, unless `listed` is null, and returns how
+/// many there are.
+template <class Nodes, class Marks, class List>
+constexpr int mark_operands(const Nodes& nodes, Marks& live, int last, List& listed) {
+  int count = 0;
   for (int id = last; id >= 0; --id) {
     if (live[id] == 0) continue;
+    if constexpr (!std::is_null_pointer_v<List>) listed[count++] = id;
     const operation op = nodes[id].op;
     if (op <= operation::symbol) continue; // a leaf, tested without a call
     live[nodes[id].a] = 1;
@@ -28,6 +34,7 @@ constexpr void mark_operands(const Nodes& nodes, Marks& live, int last) {
       live[nodes[id].b] = 1;
     }
   }
+  return count;
 }
 
 /// Writes zeros in ascending order: where elements are written in descending order, g++ moves all that are
@@ -37,23 +44,46 @@ constexpr void clear(Marks& marks, int count) {
   for (int id = 0; id < count; ++id) marks[id] = 0;
 }
 
+/// Marks outputs, and returns the last of them; -1 if there are none.
+constexpr int mark(const sequence<int>& outputs, base::zeros<char>& marks) {
+  int last = -1;
+  for (int id : outputs)
+    if (id > last) last = id;
+  if (__builtin_is_constant_evaluated()) clear(marks.elements<true>(), last + 1);
+  char* const live = marks.begin();
+  for (int id : outputs) live[id] = 1;
+  return last;
+}
+
 } // namespace detail
 
 /// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.
 constexpr base::zeros<char> live_nodes(const graph& g, const sequence<int>& outputs) {
   base::zeros<char> marks(g.size());
-  char* const live = marks.begin();
-  int last = -1;
-  for (int id : outputs)
-    if (id > last) last = id;
-  if (__builtin_is_constant_evaluated()) detail::clear(marks.elements<true>(), last + 1);
-  for (int id : outputs) live[id] = 1;
+  const int last = detail::mark(outputs, marks);
+  std::nullptr_t nothing = nullptr;
   if (__builtin_is_constant_evaluated())
-    detail::mark_operands(g.elements<true>(), marks.elements<true>(), last);
+    detail::mark_operands(g.elements<true>(), marks.elements<true>(), last, nothing);
   else
-    detail::mark_operands(g.elements<false>(), marks.elements<false>(), last);
+    detail::mark_operands(g.elements<false>(), marks.elements<false>(), last, nothing);
   return marks;
 }
+
+/// The same marks, and the nodes in descending order, so users precede their operands.
+struct live_list {
+  base::zeros<char> marks;
+  base::zeros<int> nodes;
+  int count = 0;
+
+  constexpr live_list(const graph& g, const sequence<int>& outputs) : marks(g.size()), nodes(g.size()) {
+    const int last = detail::mark(outputs, marks);
+    if (__builtin_is_constant_evaluated())
+      count = detail::mark_operands(g.elements<true>(), marks.elements<true>(), last, nodes.elements<true>());
+    else
+      count =
+          detail::mark_operands(g.elements<false>(), marks.elements<false>(), last, nodes.elements<false>());
+  }
+};
 
 /// The live nodes except lists, in ascending order, so operands precede their users.
 constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs) {

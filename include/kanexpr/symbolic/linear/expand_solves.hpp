@@ -45,7 +45,7 @@ class expansion {
 
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
-      : g_(g), live_(live_nodes(g, outputs)), image_(g.size()), uses_of_(g.size(), -1) {
+      : g_(g), live_(live_nodes(g, outputs)), image_(g.size()), uses_of_(g.size()) {
     const char* const live = live_.begin();
     const node* const nodes = g.begin();
     for (int id = 0, end = live_.size(); id < end; ++id)
@@ -171,7 +171,7 @@ private:
   graph& g_;
   base::zeros<char> live_;
   base::zeros<int> image_;
-  sequence<int> uses_of_; ///< by node of the factorization
+  base::zeros<int> uses_of_; ///< by node of the factorization
   sequence<solves_of_factors> uses_{};
   graph trial_{};
   int inverted_ = -1; ///< the constant matrix inverted last

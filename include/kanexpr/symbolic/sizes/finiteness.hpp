@@ -17,10 +17,10 @@ namespace kanexpr::symbolic {
 class finiteness {
   // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
   // declared later in the class
-  template <class Nodes, class Marks, class Facts>
-  constexpr void classify_all(const Nodes& nodes, const Marks& live, Facts& facts) {
-    for (int id = 0, end = size_; id < end; ++id) {
-      if (live[id] == 0) continue;
+  template <class Nodes, class List, class Facts>
+  constexpr void classify_all(const Nodes& nodes, const List& live, Facts& facts) {
+    for (int i = live_.count - 1; i >= 0; --i) { // operands first
+      const int id = live[i];
       const operation op = nodes[id].op;
       if (op != operation::add && op != operation::subtract && op != operation::multiply) {
         if (op != operation::symbol) classify(id);
@@ -37,14 +37,13 @@ class finiteness {
 
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
-      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), facts_(g.size()),
+      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), live_(g, outputs), facts_(g.size()),
         facts_of_(facts_.begin()) {
-    const base::zeros<char> is_live = live_nodes(g, outputs);
     for (int id : sure_divisors) facts_of_[id] = sure;
     if (__builtin_is_constant_evaluated())
-      classify_all(g.elements<true>(), is_live.elements<true>(), facts_.elements<true>());
+      classify_all(g.elements<true>(), live_.nodes.elements<true>(), facts_.elements<true>());
     else
-      classify_all(g.elements<false>(), is_live.elements<false>(), facts_.elements<false>());
+      classify_all(g.elements<false>(), live_.nodes.elements<false>(), facts_.elements<false>());
   }
   finiteness(const finiteness&) = delete;
   finiteness& operator=(const finiteness&) = delete;
@@ -57,7 +56,9 @@ public:
     char* const output = is_output.begin();
     for (int id : outputs_) output[id] = 1;
     sequence<int> some;
-    for (int id = size_ - 1; id >= 0; --id) { // users follow their operands
+    const int* const live = live_.nodes.begin();
+    for (int i = 0; i < live_.count; ++i) {
+      const int id = live[i];
       if ((facts_of_[id] & may_fail) == 0) continue;
       if (output[id] != 0 && covered[id] == 0) {
         some.push(id);
@@ -75,17 +76,22 @@ public:
     base::zeros<char> is_known(size_), is_reached(size_);
     char* const reached = is_reached.begin();
     for (int id : known_divisors) is_known[id] = 1;
-    for (int id = size_ - 1; id >= 0; --id) {
+    const int* const live = live_.nodes.begin();
+    sequence<int> symbols;
+    for (int i = 0; i < live_.count; ++i) {
+      const int id = live[i];
       if (reached[id] == 0 && (facts_of_[id] & originates) == 0) continue;
       const node& n = nodes_[id];
+      if (n.op == operation::symbol) symbols.push(id);
       if (is_leaf(n.op)) continue;
       const bool has_second = is_binary(n.op) && !has_index_operand(n.op);
       if (reached[id] != 0 || n.op != operation::divide) reached[n.a] = 1;
       if (has_second && (reached[id] != 0 || is_known[n.b] == 0)) reached[n.b] = 1;
     }
-    sequence<int> symbols;
-    for (int id = 0; id < size_; ++id)
-      if (reached[id] != 0 && nodes_[id].op == operation::symbol) symbols.push(id);
+    for (int i = 0, j = symbols.size() - 1; i < j; ++i, --j) { // in ascending order
+      const int last = symbols[j];
+      symbols[j] = symbols[i], symbols[i] = last;
+    }
     return symbols;
   }
 
@@ -156,6 +162,7 @@ private:
   int size_;
   const graph& g_;
   const sequence<int>& outputs_;
+  live_list live_;
   base::zeros<int> facts_; ///< by node
   int* facts_of_;
   bool any_originates_ = false, any_fails_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/zeros.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
@@ -27,7 +28,7 @@ class mean_square {
 public:
   constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
                         const sequence<int>& sums)
-      : g_(g), squares_(g.size(), graph::zero) {
+      : g_(g), squares_(g.size()) {
     const sequence<int> all = terms_of(equations), needed = terms_of(expressions);
     sequence<int> variables;
     for (int id : all)
@@ -63,7 +64,7 @@ private:
 
   /// The sums and products in expressions, with their operands, in ascending order.
   constexpr sequence<int> terms_of(const sequence<int>& expressions) const {
-    sequence<char> marks(g_.size(), 0);
+    base::zeros<char> marks(g_.size());
     char* const reached = marks.begin();
     const node* const nodes = g_.begin();
     int last = -1;
@@ -95,7 +96,7 @@ private:
   }
 
   graph& g_;
-  sequence<int> squares_; ///< by node
+  base::zeros<int> squares_; ///< by node
 };
 
 /// The mean square of a determinant: the permanent of the mean squares of its entries, which are given row by
