@@ -23,14 +23,16 @@ public:
     for (int i = 0; i < other.size_; ++i) data_[i] = other.data_[i];
     size_ = other.size_;
   }
-  constexpr sequence(sequence&& other) noexcept { swap(other); }
+  constexpr sequence(sequence&& other) noexcept {
+    if (other.capacity_ != 0) swap(other);
+  }
   constexpr sequence& operator=(const sequence& other) {
     sequence copy(other);
     swap(copy);
     return *this;
   }
   constexpr sequence& operator=(sequence&& other) noexcept {
-    swap(other);
+    if (other.capacity_ != 0 || capacity_ != 0) swap(other);
     return *this;
   }
   constexpr ~sequence() { delete[] data_; }

@@ -200,6 +200,7 @@ public:
 
 private:
   static constexpr int none = mechanics::none;
+  static constexpr int more_numbers = 32; ///< that a resumed derivation adds without growing the sequence
 
   template <class Integer>
   constexpr void transfer(Integer& part) {
@@ -270,7 +271,7 @@ constexpr image_transfer::image_transfer(image& into, const symbolic::graph& g)
 constexpr image_transfer::image_transfer(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
     : from_(&from), g_(&g), m_(&m) {
   base::sequence<symbolic::number> numbers;
-  numbers.reserve(from.numbers);
+  numbers.reserve(from.numbers + more_numbers);
   for (int i = 0; i < from.numbers; ++i)
     numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
   base::sequence<symbolic::symbol> symbols;

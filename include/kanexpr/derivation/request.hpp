@@ -146,7 +146,7 @@ struct evaluated_vector {
 /// Returns the index of the first component of a phrase that was evaluated before; -1 if it was not.
 constexpr int first_entry_of(const phrase& p, const sequence<evaluated_vector>& vectors) {
   for (const evaluated_vector& each : vectors)
-    if (each.tokens == p.tokens && each.size == p.size) return each.first_entry;
+    if (each.size == p.size && each.tokens == p.tokens) return each.first_entry;
   return -1;
 }
 
