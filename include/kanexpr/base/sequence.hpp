@@ -13,7 +13,7 @@ class sequence {
 public:
   constexpr sequence() = default;
   constexpr explicit sequence(int size) { resize(size); }
-  constexpr sequence(int size, const Element& value) { resize(size, value); }
+  constexpr explicit sequence(int size, const Element& value) { resize(size, value); }
   constexpr sequence(std::initializer_list<Element> values) {
     reserve(static_cast<int>(values.size()));
     for (const Element& value : values) push(value);
@@ -67,7 +67,7 @@ public:
   constexpr void clear() { size_ = 0; }
   constexpr void resize(int size) {
     if constexpr (!__is_trivially_constructible(Element)) {
-      if (size > capacity_) { // the new elements are initialized already
+      if (size > capacity_) { // the default constructor has initialized the new elements already
         reserve(size);
         size_ = size;
         return;

@@ -23,6 +23,7 @@ namespace kanexpr::derivation {
 /// counts are unused. Only constant evaluation may use it, because any other reference would put it into the
 /// program.
 struct image {
+  static constexpr int most_nodes = symbolic::graph::most_constant / 2;
   static constexpr int most_integers = 1 << 18;
   static constexpr int most_numbers = 1 << 14;
   static constexpr int most_entities = 1 << 12;
@@ -258,7 +259,7 @@ private:
 
 constexpr image_transfer::image_transfer(image& into, const symbolic::graph& g)
     : writes_(true), into_(&into) {
-  if (g.size() > symbolic::graph::most_stored)
+  if (g.size() > image::most_nodes)
     into.is_full = true;
   else
     g.store(into.graph);

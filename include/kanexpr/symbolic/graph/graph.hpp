@@ -203,15 +203,15 @@ public:
     has_lists_ = kept.has_lists;
   }
 
-  static constexpr int most_stored = 1 << 20;
+  static constexpr int most_constant = 1 << 20; ///< nodes in constant evaluation
 
   /// The nodes in constant evaluation, where the compiler stores only those that are written.
   struct block {
-    node value[most_stored]{};
+    node value[most_constant]{};
   };
   /// The hash table there. base::zeros provides such an array too, but only by a call.
   struct hash_table {
-    int value[2 * most_stored]{};
+    int value[2 * most_constant]{};
   };
 
   /// The nodes of a graph, as arrays that can outlive constant evaluation, where a single step copies them
@@ -224,7 +224,7 @@ public:
     hash_table table{};
   };
 
-  /// Stores the nodes, of which there must be at most `most_stored`.
+  /// Stores the nodes, of which there must be at most `most_constant`.
   constexpr void store(stored& into) const {
     into.size = size_, into.room = room_, into.has_lists = has_lists_;
     if (__builtin_is_constant_evaluated())
