@@ -98,10 +98,10 @@ private:
 namespace detail {
 
 /// How often each live node is used.
-template <class Nodes, class Marks, class Uses>
-constexpr void count_uses(const Nodes& nodes, const Marks& live, Uses& uses, int end) {
-  for (int id = 0; id < end; ++id) {
-    if (live[id] == 0) continue;
+template <class Nodes, class List, class Uses>
+constexpr void count_uses(const Nodes& nodes, const List& live, Uses& uses, int count) {
+  for (int i = 0; i < count; ++i) {
+    const int id = live[i];
     const operation op = nodes[id].op;
     if (op <= operation::symbol) continue; // a leaf
     ++uses[nodes[id].a];
@@ -116,19 +116,17 @@ constexpr void count_columns(const graph& g, const node& n, cost& total) {
 }
 
 template <bool is_constant>
-constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
-                                   const base::zeros<char>& marks) {
+constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs, const live_list& needed) {
   base::zeros<int> uses(g.size());
   const auto& nodes = g.elements<is_constant>();
-  const auto& live = marks.elements<is_constant>();
+  const auto& live = needed.nodes.elements<is_constant>();
   auto& use = uses.elements<is_constant>();
-  const int end = marks.size();
-  count_uses(nodes, live, use, end);
+  count_uses(nodes, live, use, needed.count);
   for (int id : outputs) ++use[id];
   cost total;
   int products = 0, sums = 0, signs = 0, fused = 0; // most operations
-  for (int id = 0; id < end; ++id) {
-    if (live[id] == 0) continue;
+  for (int i = 0; i < needed.count; ++i) {
+    const int id = live[i];
     const operation op = nodes[id].op;
     if (op <= operation::symbol) continue; // a leaf
     if (op == operation::multiply) {
@@ -160,7 +158,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
       total.count_singularity_measure(order_of(g, n.a));
     if (n.op != operation::cos) continue;
     const int sine = g.find({operation::sin, n.a, 0});
-    if (sine >= 0 && live[sine] != 0) --total.trigonometric;
+    if (sine >= 0 && needed.marks[sine] != 0) --total.trigonometric;
   }
   total.count(operation::multiply, products);
   total.count(operation::add, sums);
@@ -168,8 +166,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
   total.fused += fused;
   return total;
 }
-constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
-                                   const base::zeros<char>& live) {
+constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs, const live_list& live) {
   return __builtin_is_constant_evaluated() ? cost_of_written_out<true>(g, outputs, live)
                                            : cost_of_written_out<false>(g, outputs, live);
 }
@@ -178,11 +175,11 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs,
 
 /// The cost of the outputs after lowering: small linear systems are expanded, large ones use elimination.
 constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
-  const base::zeros<char> live = live_nodes(g, outputs);
+  const live_list live(g, outputs);
   if (!has_linear_systems(g, live)) return detail::cost_of_written_out(g, outputs, live);
   graph copy = g;
   const sequence<int> expanded = expand_solves(copy, outputs);
-  return detail::cost_of_written_out(copy, expanded, live_nodes(copy, expanded));
+  return detail::cost_of_written_out(copy, expanded, live_list(copy, expanded));
 }
 
 /// Returns `total` plus `times` times the cost c.

@@ -17,37 +17,25 @@ namespace kanexpr::symbolic::detail {
 /// factors, which are variables in ascending order. Code that runs often accesses the arrays directly,
 /// because compilers interpret every call.
 struct sums_of_products {
-  constexpr sums_of_products(graph& owner, const sequence<int>& outputs, const sequence<int>& also_needed)
-      : g(owner), nodes(last_of(outputs) + 1), variables(nodes), room(4 * nodes + 1024), uses(nodes),
-        definition(room), image(room), seen(room), live(nodes), variable_of(room), first(room), added(room),
-        is_changed(room), has_common_factors(room), last_term(room), begin(room), owner_of(room), next(room),
-        replacement(room), is_dropped(room), factors(room) {
-    list_live(outputs, also_needed);
-    define();
-  }
-  sums_of_products(const sums_of_products&) = delete;
-  sums_of_products& operator=(const sums_of_products&) = delete;
+  // the templates precede their callers, because clang++ does not instantiate a template for a constant
+  // expression if it is declared later in the class
 
-  static constexpr int last_of(const sequence<int>& outputs) {
-    int last = 0;
-    for (int id : outputs)
-      if (id > last) last = id;
-    return last;
-  }
-
-  /// Lists the live nodes, users first, and counts how often each is used.
+  /// Lists the live nodes, users first, and counts how often each is used. In constant evaluation, this and
+  /// the next function access the arrays themselves (base::zeros explains why).
+  template <bool is_constant>
   constexpr void list_live(const sequence<int>& outputs, const sequence<int>& also_needed) {
-    const node* const all = g.begin();
-    int *const use = uses.begin(), *const list = live.begin();
+    const auto& all = g.elements<is_constant>();
+    auto &use = uses.elements<is_constant>(), &list = live.elements<is_constant>();
     int count = 0;
     for (int id : outputs) use[id] += 2; // an output is not merely a part
     for (int id = nodes - 1; id >= 0; --id) {
       if (use[id] == 0) continue;
-      const node& n = all[id];
-      if (n.op <= operation::symbol) continue;
+      const operation op = all[id].op;
+      if (op <= operation::symbol) continue;
       list[count++] = id;
-      ++use[n.a];
-      if (n.op <= operation::power ? n.op != operation::negate : is_binary(n.op) && is_value(n)) ++use[n.b];
+      ++use[all[id].a];
+      if (op <= operation::power ? op != operation::negate : is_binary(op) && is_value(all[id]))
+        ++use[all[id].b];
     }
     live_count = count;
     if (also_needed.empty()) return;
@@ -57,12 +45,14 @@ struct sums_of_products {
   }
 
   /// Finds the terms of all sums and products.
+  template <bool is_constant>
   constexpr void define() {
-    const node* const all = g.begin();
-    const int *const use = uses.begin(), *const list = live.begin();
-    int *const of = definition.begin(), *const factor = factors.begin(), *const from = begin.begin(),
-               *const by = owner_of.begin(), *const count_of = seen.begin(), *const first_of = first.begin(),
-               *const variable = variable_of.begin(), *const last = last_term.begin();
+    const auto& all = g.elements<is_constant>();
+    const auto &use = uses.elements<is_constant>(), &list = live.elements<is_constant>();
+    auto &of = definition.elements<is_constant>(), &factor = factors.elements<is_constant>(),
+         &from = begin.elements<is_constant>(), &by = owner_of.elements<is_constant>(),
+         &count_of = seen.elements<is_constant>(), &first_of = first.elements<is_constant>(),
+         &variable = variable_of.elements<is_constant>(), &last = last_term.elements<is_constant>();
     int d = 0, t = 1, f = 0;
     int pending[most_pending]{}, parts[most_pending]{};
     for (int i = 0, end = live_count; i < end; ++i) {
@@ -77,22 +67,22 @@ struct sums_of_products {
       pending[0] = 2 * root;
       while (top > 0) {
         const int id = pending[--top] / 2, sign = pending[top] % 2;
-        const node& n = all[id];
+        const operation inner = all[id].op;
         const bool is_part = id == root || (use[id] == 1 && of[id] != kept && top + 2 < most_pending);
-        if (is_part && n.op <= operation::subtract && n.op >= operation::negate) {
+        if (is_part && inner <= operation::subtract && inner >= operation::negate) {
           of[id] = d;
-          if (n.op == operation::negate) {
-            pending[top++] = 2 * n.a + 1 - sign;
+          if (inner == operation::negate) {
+            pending[top++] = 2 * all[id].a + 1 - sign;
           } else {
-            pending[top++] = 2 * n.b + (n.op == operation::subtract ? 1 - sign : sign);
-            pending[top++] = 2 * n.a + sign;
+            pending[top++] = 2 * all[id].b + (inner == operation::subtract ? 1 - sign : sign);
+            pending[top++] = 2 * all[id].a + sign;
           }
           continue;
         }
         int left = 0;
-        if (is_part && n.op == operation::multiply) {
+        if (is_part && inner == operation::multiply) {
           of[id] = d;
-          parts[0] = n.b, parts[1] = n.a;
+          parts[0] = all[id].b, parts[1] = all[id].a;
           left = 2;
         } else {
           parts[0] = id;
@@ -102,12 +92,11 @@ struct sums_of_products {
         bool may_be_seen_again = true;
         while (left > 0) {
           const int part = parts[--left];
-          const node& p = all[part];
           const int used = use[part];
-          if (p.op == operation::multiply && used == 1 && of[part] != kept && part != id &&
+          if (used == 1 && all[part].op == operation::multiply && of[part] != kept && part != id &&
               left + 2 < most_pending) {
             of[part] = d;
-            parts[left++] = p.b, parts[left++] = p.a;
+            parts[left++] = all[part].b, parts[left++] = all[part].a;
             continue;
           }
           int place = f++;
@@ -133,6 +122,29 @@ struct sums_of_products {
     }
     first_of[d] = t;
     defined = definitions = d, terms = t, factor_count = f;
+  }
+
+  constexpr sums_of_products(graph& owner, const sequence<int>& outputs, const sequence<int>& also_needed)
+      : g(owner), nodes(last_of(outputs) + 1), variables(nodes), room(4 * nodes + 1024), uses(nodes),
+        definition(room), image(room), seen(room), live(nodes), variable_of(room), first(room), added(room),
+        is_changed(room), has_common_factors(room), last_term(room), begin(room), owner_of(room), next(room),
+        replacement(room), is_dropped(room), factors(room) {
+    if (__builtin_is_constant_evaluated()) {
+      list_live<true>(outputs, also_needed);
+      define<true>();
+    } else {
+      list_live<false>(outputs, also_needed);
+      define<false>();
+    }
+  }
+  sums_of_products(const sums_of_products&) = delete;
+  sums_of_products& operator=(const sums_of_products&) = delete;
+
+  static constexpr int last_of(const sequence<int>& outputs) {
+    int last = 0;
+    for (int id : outputs)
+      if (id > last) last = id;
+    return last;
   }
 
   constexpr int size_of(int t) const { return begin[t + 1] - begin[t]; }

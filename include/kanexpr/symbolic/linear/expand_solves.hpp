@@ -26,11 +26,11 @@ struct solves_of_factors {
 class expansion {
   // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
   // declared later in the class
-  template <class Marks, class Images>
-  constexpr void expand(const Marks& live, Images& image) {
-    for (int id = 0, end = live_.size(); id < end; ++id) {
+  template <class List, class Marks, class Images>
+  constexpr void expand(const List& listed, const Marks& live, Images& image) {
+    for (int i = live_.count - 1; i >= 0; --i) {
+      const int id = listed[i];
       image[id] = id;
-      if (live[id] == 0) continue;
       const node n = g_[id];
       if (n.op <= operation::symbol) continue;
       const int a = image[n.a], b = !is_binary(n.op) ? 0 : live[n.b] != 0 ? image[n.b] : n.b;
@@ -45,11 +45,11 @@ class expansion {
 
 public:
   constexpr expansion(graph& g, const sequence<int>& outputs)
-      : g_(g), live_(live_nodes(g, outputs)), image_(g.size()), uses_of_(g.size()) {
-    const char* const live = live_.begin();
+      : g_(g), live_(g, outputs), image_(g.size()), uses_of_(g.size()) {
+    const int* const live = live_.nodes.begin();
     const node* const nodes = g.begin();
-    for (int id = 0, end = live_.size(); id < end; ++id)
-      if (live[id] != 0 && nodes[id].op > operation::pair) collect(id);
+    for (int i = live_.count - 1; i >= 0; --i)
+      if (nodes[live[i]].op > operation::pair) collect(live[i]);
     for (solves_of_factors& uses : uses_)
       if (is_small(uses.factorization)) uses.method = cheapest(uses);
   }
@@ -58,9 +58,9 @@ public:
 
   constexpr void run() {
     if (__builtin_is_constant_evaluated())
-      expand(live_.elements<true>(), image_.elements<true>());
+      expand(live_.nodes.elements<true>(), live_.marks.elements<true>(), image_.elements<true>());
     else
-      expand(live_.elements<false>(), image_.elements<false>());
+      expand(live_.nodes.elements<false>(), live_.marks.elements<false>(), image_.elements<false>());
   }
 
 private:
@@ -111,7 +111,7 @@ private:
   constexpr bool is_needed(int solution, int index) const {
     const int index_node = g_.find_constant(exactly(index));
     const int id = index_node < 0 ? -1 : g_.find({operation::component, solution, index_node});
-    return id >= 0 && id < live_.size() && live_[id] != 0;
+    return id >= 0 && id < live_.marks.size() && live_.marks[id] != 0;
   }
 
   constexpr sequence<int> placeholder_symbols(sequence<int> nodes) {
@@ -129,13 +129,13 @@ private:
 
   constexpr int operation_cost(const sequence<int>& outputs) const {
     constexpr int division = 4;
-    const base::zeros<char> marks = live_nodes(trial_, outputs);
-    const char* const live = marks.begin();
+    const live_list needed(trial_, outputs);
+    const int* const live = needed.nodes.begin();
     const node* const nodes = trial_.begin();
     int weight = 0;
-    for (int id = 0, end = marks.size(); id < end; ++id) {
-      const operation op = nodes[id].op;
-      if (live[id] != 0 && op > operation::negate) weight += op == operation::divide ? division : 1;
+    for (int i = 0; i < needed.count; ++i) {
+      const operation op = nodes[live[i]].op;
+      if (op > operation::negate) weight += op == operation::divide ? division : 1;
     }
     return weight;
   }
@@ -169,7 +169,7 @@ private:
   }
 
   graph& g_;
-  base::zeros<char> live_;
+  live_list live_;
   base::zeros<int> image_;
   base::zeros<int> uses_of_; ///< by node of the factorization
   sequence<solves_of_factors> uses_{};
@@ -178,21 +178,21 @@ private:
   sequence<number> inverse_{};
 };
 
-template <class Nodes, class Marks>
-constexpr bool has_factorization(const Nodes& nodes, const Marks& live, int end) {
-  for (int id = 0; id < end; ++id)
-    if (live[id] != 0 && nodes[id].op == operation::factorization) return true;
+template <class Nodes, class List>
+constexpr bool has_factorization(const Nodes& nodes, const List& live, int count) {
+  for (int i = 0; i < count; ++i)
+    if (nodes[live[i]].op == operation::factorization) return true;
   return false;
 }
 
 } // namespace detail
 
 /// Whether any live node requires `expand_solves`.
-constexpr bool has_linear_systems(const graph& g, const base::zeros<char>& live) {
+constexpr bool has_linear_systems(const graph& g, const live_list& live) {
   if (!g.has_lists()) return false;
   return __builtin_is_constant_evaluated()
-             ? detail::has_factorization(g.elements<true>(), live.elements<true>(), live.size())
-             : detail::has_factorization(g.elements<false>(), live.elements<false>(), live.size());
+             ? detail::has_factorization(g.elements<true>(), live.nodes.elements<true>(), live.count)
+             : detail::has_factorization(g.elements<false>(), live.nodes.elements<false>(), live.count);
 }
 
 /// Rewrites the outputs so that systems of order 1 to 3 are solved by cofactors, with one determinant and its
