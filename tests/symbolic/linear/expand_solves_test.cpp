@@ -56,7 +56,7 @@ TEST(expanded, solutions_have_the_same_values) {
         const long double expected = s.value_of(outputs[i]);
         EXPECT_PRED3(are_close, s.value_of({s.g, images[i]}), expected, 1e-13L * (1 + std::abs(expected)));
       }
-      EXPECT_EQ(has_linear_systems(s.g, live_nodes(s.g, images)), n > 3);
+      EXPECT_EQ(has_linear_systems(s.g, live_list(s.g, images)), n > 3);
     }
   }
 }
