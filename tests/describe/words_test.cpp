@@ -351,7 +351,7 @@ TEST(words, on_purpose) {
 TEST(words, are_shown_in_pieces_that_lose_no_letter) {
   using named = kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>,
                             bodies<a_body_whose_name_is_longer_than_a_piece_of_a_sentence>>;
-  const base::sentence told = derivation::first_stage<named>().mistake;
+  static constexpr base::sentence told = derivation::stages_of<named>::constrained.mistake;
   std::string whole(told.view()), shown;
   EXPECT_EQ(whole, "body a_body_whose_name_is_longer_than_a_piece_of_a_sentence has no mass");
   for (int piece = 0; piece < derivation::count_pieces(told); ++piece) {
