@@ -2,6 +2,7 @@
 #include "mechanics/loop_chain.hpp"
 
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <algorithm>

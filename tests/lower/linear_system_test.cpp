@@ -10,6 +10,7 @@
 
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/pack.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/lower/tape_in_pieces.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>

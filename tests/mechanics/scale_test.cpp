@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 
 #include <vector>

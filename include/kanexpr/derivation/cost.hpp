@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derivation/extract_code.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 
 #include <initializer_list>
 #include <vector>

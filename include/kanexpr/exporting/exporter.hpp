@@ -11,6 +11,7 @@
 #include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/units_of_export.hpp>
 #include <kanexpr/exporting/written_step.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>

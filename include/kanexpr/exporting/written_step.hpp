@@ -5,6 +5,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/exporting/export_request.hpp>
 #include <kanexpr/exporting/exported_system.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/steps/methods.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/lower/column_steps.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/zeros.hpp>
+#include <kanexpr/lower/column_steps.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/numeric/symmetric_columns.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/lower/column_steps.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>

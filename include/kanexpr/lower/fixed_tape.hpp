@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 

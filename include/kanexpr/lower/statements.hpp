@@ -4,6 +4,7 @@
 #include <kanexpr/lower/evaluate_steps.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/numeric/symmetric_columns.hpp>
+#include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/lower/column_steps.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/long_lists.hpp>
 #include <kanexpr/lower/scalar_math.hpp>

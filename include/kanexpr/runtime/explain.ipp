@@ -6,6 +6,7 @@
 #include <kanexpr/derivation/request.hpp>
 #include <kanexpr/derivation/stages.hpp>
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/mechanics/dynamics/absolute_speeds.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/formulation.hpp>

@@ -3,6 +3,7 @@
 #include "mechanics/workbench.hpp"
 
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/lower/tape_cost.hpp>
 #include <kanexpr/mechanics/dynamics/articulated_bodies.hpp>
 #include <kanexpr/mechanics/dynamics/solution_cost.hpp>
 
