@@ -14,6 +14,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/lower/stored_results.hpp>
 #include <kanexpr/lower/tape_in_pieces.hpp>
 #include <kanexpr/lower/vector_columns.hpp>
 #include <kanexpr/numeric/fixed_matrix.hpp>
@@ -275,11 +276,21 @@ private:
     using type = typename list<std::make_integer_sequence<int, all.size>>::type;
   };
 
+  template <class Matrix>
+  [[gnu::always_inline]] static void set_zero(Matrix& m) noexcept {
+    const auto zero = lower::scalar_math<typename Matrix::Scalar>::from(0);
+    for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = zero;
+  }
+
   template <class Number, int first, int rows, int columns, class Done, class Matrix>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m) noexcept {
-    if constexpr (has_many_zeros(first, rows * columns)) {
-      const Number zero = lower::scalar_math<Number>::from(0);
-      for (Eigen::Index i = 0; i < m.size(); ++i) m.data()[i] = zero;
+    if constexpr (lower::is_long<code>) {
+      using entries = lower::stored_results<code, Done, first, rows, columns, Matrix::IsRowMajor>;
+      set_zero(m);
+      entries::copy(done.memory(), m.data());
+      fill<first, columns>(done, m, typename entries::numbers{});
+    } else if constexpr (has_many_zeros(first, rows * columns)) {
+      set_zero(m);
       fill<first, columns>(done, m, typename nonzero_entries<first, rows * columns>::type{});
     } else {
       fill<first, columns>(done, m, std::make_integer_sequence<int, rows * columns>{});

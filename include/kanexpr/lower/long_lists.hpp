@@ -25,4 +25,24 @@ using indices = const std::integer_sequence<int, index...>*;
 template <int count>
 inline constexpr const std::make_integer_sequence<int, count>* up_to = nullptr;
 
+namespace detail {
+template <int begin, class Numbers>
+struct shifted;
+template <int begin, int... index>
+struct shifted<begin, std::integer_sequence<int, index...>> {
+  using type = indices<(begin + index)...>;
+};
+} // namespace detail
+
+/// A list of template arguments takes at most a page if it is divided into groups of this length.
+inline constexpr int group_length = 480;
+
+/// Group `group` of the numbers from 0 to count − 1; of five groups, the last one contains the rest.
+template <int count, int group>
+inline constexpr auto group_of_five = [] {
+  constexpr int begin = count < group * group_length ? count : group * group_length,
+                end = count < begin + group_length || group == 4 ? count : begin + group_length;
+  return typename detail::shifted<begin, std::make_integer_sequence<int, end - begin>>::type{nullptr};
+}();
+
 } // namespace kanexpr::lower

@@ -36,11 +36,14 @@ inline constexpr bool solves_columns = [] {
   return false;
 }();
 
+/// Whether a tape is too long for one function.
+template <class Code>
+inline constexpr bool is_long = Code::tape.sizes.steps > lengths_of<Code>.longest_uncut;
+
 /// Depends on the type of the numbers, so that a class that names `evaluated_tape` derives no code before it
 /// is called.
 template <class Code, class Number>
-inline constexpr bool is_cut =
-    solves_columns<Code> || Code::tape.sizes.steps > lengths_of<Code>.longest_uncut;
+inline constexpr bool is_cut = solves_columns<Code> || is_long<Code>;
 
 /// The cuts of the tape of `Code` as arrays that outlive constant evaluation.
 template <class Code>
@@ -60,9 +63,8 @@ class cuts_of {
     int solves[room(tape.sizes.steps)]{}, columns[room(tape.sizes.linear_steps)]{};
 
     constexpr arrays() {
-      const bool is_long = tape.sizes.steps > lengths_of<Code>.longest_uncut;
       const cuts all = detail::cutting(tape, tape.sizes.first_angle + 2 * tape.sizes.angles,
-                                       is_long ? lengths_of<Code>.piece : tape.sizes.steps)
+                                       is_long<Code> ? lengths_of<Code>.piece : tape.sizes.steps)
                            .run();
       pieces = all.first.size() - 1, places = all.places;
       copy(all.first, first), copy(all.first_input, first_input), copy(all.first_operand, first_operand);
@@ -187,12 +189,20 @@ public:
     run(memory_, std::make_integer_sequence<int, pieces>{});
   }
 
+  /// The place in memory of a result that is computed.
+  static constexpr int place_of_result(int result) {
+    return cuts_of<Code>::value.place[tape.results[result]];
+  }
+  [[gnu::always_inline]] const Number* memory() const noexcept { return memory_; }
+
   template <int index>
   [[gnu::always_inline]] Number result() const noexcept {
-    if constexpr (tape.results[index] < tape.sizes.numbers)
+    if constexpr (tape.results[index] < tape.sizes.numbers) {
       return number_as<Number>(tape.numbers[tape.results[index]]);
-    else
-      return memory_[place_of_result(index)];
+    } else {
+      constexpr int place = place_of_result(index);
+      return memory_[place];
+    }
   }
 
 private:
@@ -202,7 +212,6 @@ private:
     static consteval int of(int slot) { return cuts_of<Code>::value.place[slot]; }
     static consteval int columns(int linear_step) { return cuts_of<Code>::value.columns[linear_step]; }
   };
-  static consteval int place_of_result(int result) { return slot_places::of(tape.results[result]); }
   static consteval int solved_by(int piece) { return cuts_of<Code>::value.solves[piece]; }
 
   /// The arguments have the first places.

@@ -39,7 +39,9 @@ public:
   /// pieces use store them at once, so that they need no register until the end.
   [[gnu::always_inline]] static void run_in(Number* memory) noexcept {
     run_in(memory, up_to<tape.sizes.numbers>, up_to<plan.early_count>, up_to<first_angle>, up_to<angles>,
-           up_to<given_before>, up_to<2 * angles>, up_to<plan.entries>);
+           up_to<given_before>, up_to<2 * angles>, group_of_five<plan.entries, 0>,
+           group_of_five<plan.entries, 1>, group_of_five<plan.entries, 2>, group_of_five<plan.entries, 3>,
+           group_of_five<plan.entries, 4>);
   }
 
 private:
@@ -95,11 +97,13 @@ private:
     static_cast<void>(order);
   }
 
-  template <int... number, int... load, int... before, int... angle, int... known, int... turned,
-            int... entry>
+  /// The entries come in five groups.
+  template <int... number, int... load, int... before, int... angle, int... known, int... turned, int... e0,
+            int... e1, int... e2, int... e3, int... e4>
   [[gnu::always_inline]] static void run_in(Number* memory, indices<number...>, indices<load...>,
                                             indices<before...>, indices<angle...>, indices<known...>,
-                                            indices<turned...>, indices<entry...>) noexcept {
+                                            indices<turned...>, indices<e0...>, indices<e1...>,
+                                            indices<e2...>, indices<e3...>, indices<e4...>) noexcept {
     const Number given[at_least_one(given_before)]{
         number_as<Number>(tape.numbers[number])..., memory[early(load).position]...,
         kept<is_kept_step(before)>(
@@ -116,11 +120,16 @@ private:
         given[known]...,
         kept<is_kept_step(first_angle + turned)>((turned % 2 == 0 ? sine : cosine)[turned / 2],
                                                  memory + place(first_angle + turned))...,
-        kept<is_kept(entry)>(
-            take<what(entry)>(slot[a(entry)], slot[b(entry)],
-                              plan.uses_aside(what(entry)) ? aside + aside_of(entry) : nullptr,
-                              what(entry) < 0 ? slot : nullptr, &arguments),
-            memory + place_of_entry(entry))...};
+        store<what(e0), is_kept(e0)>(slot[a(e0)], slot[b(e0)], aside + aside_of(e0), slot, arguments,
+                                     memory + place_of_entry(e0))...,
+        store<what(e1), is_kept(e1)>(slot[a(e1)], slot[b(e1)], aside + aside_of(e1), slot, arguments,
+                                     memory + place_of_entry(e1))...,
+        store<what(e2), is_kept(e2)>(slot[a(e2)], slot[b(e2)], aside + aside_of(e2), slot, arguments,
+                                     memory + place_of_entry(e2))...,
+        store<what(e3), is_kept(e3)>(slot[a(e3)], slot[b(e3)], aside + aside_of(e3), slot, arguments,
+                                     memory + place_of_entry(e3))...,
+        store<what(e4), is_kept(e4)>(slot[a(e4)], slot[b(e4)], aside + aside_of(e4), slot, arguments,
+                                     memory + place_of_entry(e4))...};
   }
 
   /// The arguments of a piece.
@@ -163,6 +172,13 @@ private:
         eliminate<plan.first_linear_step - what>(aside, slot);
       return *aside;
     }
+  }
+
+  /// Returns the value of an entry of a piece, and stores it if other pieces use it.
+  template <int what, bool is_stored>
+  [[gnu::always_inline]] static Number store(operand a, operand b, Number* aside, const Number* slot,
+                                             const arguments_in_memory& arguments, Number* place) noexcept {
+    return kept<is_stored>(take<what>(a, b, aside, slot, &arguments), place);
   }
 
   template <int index>
