@@ -125,6 +125,18 @@ private:
     return std::tuple(constant_result<first_of(index), wanted>(slot)...);
   }
 
+  template <bool with_statuses, class Number, class Arguments>
+  [[gnu::always_inline]] static auto compute(const Arguments& given) noexcept {
+    return collect_from<with_statuses, Number>(lower::evaluated_tape<code, Number>(given));
+  }
+
+  /// For long functions, which are compiled once: expanded at a call, they would be optimized again at each
+  /// level of inlining.
+  template <bool with_statuses, class Number, class Arguments>
+  [[gnu::noinline]] static auto compute_apart(const Arguments& given) noexcept {
+    return compute<with_statuses, Number>(given);
+  }
+
   /// The fourth and fifth arguments are the rates of the speeds, or the weights and the direction that
   /// second-order results take.
   template <bool with_statuses, class Time, class State, class Parameters = none, class Inputs = none,
@@ -171,9 +183,12 @@ private:
       assert_size(w, state_size), assert_size(v, state_size + input_count);
       Number t = lower::scalar_math<Number>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
-      return collect_from<with_statuses, Number>(lower::evaluated_tape<code, Number>(
-          compiled::arguments<System, Number, State, Parameters, Inputs, Accelerations, Weights, Direction>{
-              t, x, p, r, a, w, v}));
+      const compiled::arguments<System, Number, State, Parameters, Inputs, Accelerations, Weights, Direction>
+          given{t, x, p, r, a, w, v};
+      if constexpr (code::tape.sizes.steps > lower::lengths_of<code>.longest_at_calls)
+        return compute_apart<with_statuses, Number>(given);
+      else
+        return compute<with_statuses, Number>(given);
     }
   }
 

@@ -86,8 +86,8 @@ constexpr bool can_forward() {
 /// A function whose code is compiled once per program and scalar type and then called, with bitwise identical
 /// results. Each result has a status.
 ///
-/// `function<System, …>` itself is expanded at every call, as a control loop requires. `out_of_line` compiles
-/// it only once, regardless of the number of calls.
+/// `function<System, …>` itself is expanded at every call, as a control loop requires, unless it is long
+/// (lower::lengths). `out_of_line` compiles any function only once, regardless of the number of calls.
 template <class Function>
 struct out_of_line {
   template <class Time, class State, class Parameters, class Inputs>

@@ -22,6 +22,7 @@ struct lengths {
   int longest_uncut = 30000; ///< of a tape that is expanded in one function
   int piece = 1500;
   int shortest_in_lockstep = 2000; ///< of a tape that is examined for equal branches
+  int longest_at_calls = 2000;     ///< of a tape that is expanded at every call
 };
 
 /// The lengths for a tape that is a constant of the type `Code`; it may be specialized.
