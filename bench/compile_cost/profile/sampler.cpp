@@ -66,6 +66,7 @@ bool note_constant_evaluation(sample& now) {
   depth_before = static_cast<int>(calls.length());
   now.depth = std::min(depth_before, deepest);
   for (int i = 0; i < now.depth; ++i) now.function[i] = function_of(calls[static_cast<unsigned>(i)]);
+  now.function[now.depth - 1] = function_of(calls[static_cast<unsigned>(depth_before - 1)]);
   last = now;
   return true;
 }
