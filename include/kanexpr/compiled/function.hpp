@@ -267,15 +267,15 @@ private:
     }
   }
 
-  /// The entries of a result that are not zero in every state.
-  template <int first, int count>
+  /// The entries of a result that are not zero in every state, or those among them that are numbers.
+  template <int first, int count, bool only_numbers = false>
   class nonzero_entries {
     struct found {
       int entry[static_cast<std::size_t>(count)]{}, size = 0;
 
       constexpr found() {
         for (int i = 0; i < count; ++i)
-          if (!is_zero(first + i)) entry[size++] = i;
+          if (!is_zero(first + i) && (!only_numbers || is_number(first + i))) entry[size++] = i;
       }
     };
     static constexpr found all{};
@@ -300,10 +300,10 @@ private:
   template <class Number, int first, int rows, int columns, class Done, class Matrix>
   [[gnu::always_inline]] static void fill(const Done& done, Matrix& m) noexcept {
     if constexpr (lower::is_long<code>) {
-      using entries = lower::stored_results<code, Done, first, rows, columns, Matrix::IsRowMajor>;
       set_zero(m);
-      entries::copy(done.memory(), m.data());
-      fill<first, columns>(done, m, typename entries::numbers{});
+      lower::stored_results<code, Done, first, rows, columns, Matrix::IsRowMajor>::copy(done.memory(),
+                                                                                        m.data());
+      fill<first, columns>(done, m, typename nonzero_entries<first, rows * columns, true>::type{});
     } else if constexpr (has_many_zeros(first, rows * columns)) {
       set_zero(m);
       fill<first, columns>(done, m, typename nonzero_entries<first, rows * columns>::type{});
@@ -360,9 +360,9 @@ protected:
 
   /// Whether an entry is zero in every state.
   static constexpr bool is_zero(int entry) {
-    const int slot = code::tape.results[entry];
-    return slot < code::tape.sizes.numbers && code::tape.numbers[slot].is_zero();
+    return is_number(entry) && code::tape.numbers[code::tape.results[entry]].is_zero();
   }
+  static constexpr bool is_number(int entry) { return code::tape.results[entry] < code::tape.sizes.numbers; }
   static consteval bool has_many_zeros(int first, int count) {
     constexpr int fewest = 32; // fewer are stored one by one, which allows compilers to omit all of them
     int zeros = 0;
