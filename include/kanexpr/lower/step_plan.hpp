@@ -36,7 +36,7 @@ struct step_plan {
   int early[at_least_one(tape.sizes.loads)]{}; ///< the arguments that are read first
   int early_count = 0;
   int what[room][row_length]{};                     ///< the action of each entry: of what follows the angles
-  int a[room][row_length]{}, b[room][row_length]{}; ///< the places of its operands
+  int a[room][row_length]{}, b[room][row_length]{}; ///< the places of its operands, or `stored` ones
   int step[room][row_length]{};                     ///< the step that it is; none for an argument
   int aside[room][row_length]{};                    ///< its scratch memory
   int entries = 0, aside_count = 0;
@@ -55,8 +55,10 @@ struct step_plan {
       place[slot / row_length][slot % row_length] = numbers + early_count + i;
     for (int i = behind, linear = 0; i < tape.sizes.steps; ++i) {
       const int first = tape.a[i], second = tape.b[i];
-      if (is_late[first / row_length][first % row_length]) read(first);
-      if (is_late[second / row_length][second % row_length]) read(second);
+      if constexpr (!is_piece) {
+        if (is_late[first / row_length][first % row_length]) read(first);
+        if (is_late[second / row_length][second % row_length]) read(second);
+      }
       if (linear < tape.sizes.linear_steps && tape.linear_steps[linear].step == i)
         add_linear(linear++);
       else
@@ -68,11 +70,16 @@ struct step_plan {
 
   constexpr int place_of(int slot) const { return place[slot / row_length][slot % row_length]; }
 
+  /// The place in memory of an operand that a piece reads there, as a negative number; or that place again.
+  static constexpr int stored(int place) { return ~place; }
+
   static constexpr bool uses_aside(int action) {
     return (action < 0 && action > first_argument) || action == component;
   }
 
 private:
+  /// A piece has its arguments in memory. Only linear steps require them in slots.
+  static constexpr bool is_piece = !requires { tape.loads; };
   static constexpr int numbers = tape.sizes.numbers, first_step = tape.first_step();
 
   /// Arguments that some step behind the angles uses, but nothing before. Operations with one operand name
@@ -106,10 +113,16 @@ private:
     place[slot / row_length][slot % row_length] = numbers + early_count + behind + entries;
     step[row][column] = i;
     what[row][column] = action;
-    a[row][column] = place[first / row_length][first % row_length];
-    b[row][column] = place[second / row_length][second % row_length];
+    a[row][column] = operand(first);
+    b[row][column] = operand(second);
     if (uses_aside(action)) aside[row][column] = aside_count++;
     ++entries;
+  }
+
+  constexpr int operand(int slot) const {
+    if constexpr (is_piece)
+      if (is_late[slot / row_length][slot % row_length]) return stored(tape.place_of_load(slot - numbers));
+    return place_of(slot);
   }
 
   constexpr void add_linear(int index) {

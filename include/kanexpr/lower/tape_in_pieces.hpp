@@ -6,6 +6,7 @@
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/lockstep_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/lower/unrolled_piece.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/lower/vector_columns.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
@@ -235,7 +236,7 @@ private:
     else if constexpr (index == 0 && runs_in_lockstep<Code, Number>)
       lockstep_tape<Code, cuts_of<Code>, Number>::run_in(memory);
     else
-      unrolled_tape<piece_code<Code, index>, Number>::run_in(memory);
+      unrolled_piece<piece_code<Code, index>, Number>::run(memory);
   }
 
   Number memory_[static_cast<std::size_t>(places > 0 ? places : 1)];
