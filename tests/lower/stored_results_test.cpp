@@ -55,6 +55,12 @@ void expect_each_entry_in_its_place() {
   }
 }
 
+TEST(stored_results, a_matrix_without_columns_has_nothing_to_copy) {
+  double memory = 1, matrix = -1;
+  kanexpr::lower::stored_results<matrix_code, evaluated, before, rows, 0, false>::copy(&memory, &matrix);
+  EXPECT_EQ(matrix, -1);
+}
+
 TEST(stored_results, thousands_of_entries_reach_their_places) {
   static_assert(rows * columns / 2 > group_length, "so that several functions copy them");
   expect_each_entry_in_its_place<false>();

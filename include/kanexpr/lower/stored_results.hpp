@@ -21,10 +21,12 @@ class stored_results {
     int to[room]{}, from[room]{}; ///< positions in the matrix and in memory
 
     constexpr computed_entries() {
-      for (int entry = 0; entry < rows * columns; ++entry) {
-        if (tape.results[first + entry] < tape.sizes.numbers) continue;
-        to[count] = is_row_major ? entry : entry % columns * rows + entry / columns;
-        from[count++] = Evaluated::place_of_result(first + entry);
+      for (int i = 0, entry = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j, ++entry) {
+          if (tape.results[first + entry] < tape.sizes.numbers) continue;
+          to[count] = is_row_major ? entry : j * rows + i;
+          from[count++] = Evaluated::place_of_result(first + entry);
+        }
       }
     }
   };

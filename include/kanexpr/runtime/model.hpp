@@ -135,10 +135,11 @@ public:
                     std::size_t longest = symbolic::longest_text) const;
 
   /// Returns a function that interprets a result with the same steps as the compiled function. The first
-  /// requested result agrees with the compiled one to the last bit. Later results share expressions with
-  /// earlier ones, which may change the order of operations and thus the last bits. If the model has a
-  /// mistake, or the result was rejected or belongs to a different model, the function has no values, and its
-  /// status reports the cause.
+  /// requested result agrees with the compiled one to the last bit, except that a zero may have another sign
+  /// where `get` writes out a linear system with many columns. Later results share expressions with earlier
+  /// ones, which may change the order of operations and thus the last bits. If the model has a mistake, or
+  /// the result was rejected or belongs to a different model, the function has no values, and its status
+  /// reports the cause.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     if (const base::sentence wrong = mistake_of(result))
