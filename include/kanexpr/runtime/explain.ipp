@@ -256,7 +256,8 @@ inline std::vector<derivation::request> requests_of(const explain_options& optio
 } // namespace detail
 
 KANEXPR_ENGINE std::string word_of(const symbolic::operation_weights& weights) {
-  const symbolic::operation_weights standard;
+  symbolic::operation_weights standard;
+  standard.fused = weights.multiplication + weights.addition;
   std::string parts;
   for (const auto& [called, weight] : symbolic::weighted_operations)
     if (weights.*weight != standard.*weight)
