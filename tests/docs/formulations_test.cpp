@@ -3,6 +3,8 @@
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
 #include "models/arm3.hpp"
+#include "models/chaplygin_sleigh.hpp"
+#include "models/double_pendulum.hpp"
 #include "models/four_bar.hpp"
 #include "models/pendulum6.hpp"
 
@@ -14,6 +16,7 @@
 
 #include <iostream>
 #include <random>
+#include <set>
 
 namespace {
 
@@ -43,6 +46,20 @@ TEST(formulations, are_counted_like_the_compiled_code) {
   EXPECT_EQ(again.chosen().cost, cheaper::cost(cheaper::udot));
 }
 
+#include <docs/guide/formulations/convert.cpp>
+
+TEST(formulations, take_the_values_of_the_original_system) {
+  using eom = equations_of_motion<System>;
+  eom::state x;
+  eom::parameters p;
+  x << 0.3, -0.5, 0.9, 0.2, -0.1, 0.4;
+  for (Eigen::Index i = 0; i < p.size(); ++i) p[i] = 1 + 0.125 * static_cast<double>(i);
+  const eom::inputs r(0.7);
+  const Eigen::Vector3d expected = eom::udot(x, p, r);
+  EXPECT_GT(expected.norm(), 0.1);
+  EXPECT_LE((udot_of(x, p, r) - expected).norm(), 1e-12 * expected.norm());
+}
+
 #include <docs/guide/formulations/weights.cpp>
 
 TEST(formulations, are_compared_by_weights) {
@@ -52,6 +69,19 @@ TEST(formulations, are_compared_by_weights) {
                                               400 * c.trigonometric + 60 * c.square_roots +
                                               500 * (c.other - c.square_roots));
   EXPECT_EQ(equations_of_motion<OnBoard>::cost(equations_of_motion<OnBoard>::udot), c);
+  EXPECT_NE(on_a_board.text().find("\n\nweights: multiplication 10, addition 12, fused 22, division 45, "
+                                   "square_root 60, trigonometric 400, other 500\n"),
+            std::string::npos)
+      << on_a_board.text();
+}
+
+TEST(formulations, count_a_fused_product_as_a_product_and_a_sum) {
+  constexpr operation_weights derived{.multiplication = 10, .addition = 12},
+      stated{.addition = 3, .fused = 2};
+  static_assert(derived.fused == 22 && operation_weights{}.fused == 2);
+  EXPECT_EQ(runtime::word_of(derived),
+            "weighted_by<operation_weights{.multiplication = 10, .addition = 12}>");
+  EXPECT_EQ(runtime::word_of(stated), "weighted_by<operation_weights{.addition = 3, .fused = 2}>");
 }
 
 TEST(formulations, are_listed) {
@@ -82,17 +112,21 @@ using runtime::frame_id;
 using runtime::point_id;
 using symbolic::expression;
 
-// A chain whose first links rotate about parallel axes, if all of them do: a planar one.
+// A chain whose first links rotate about parallel axes, if all of them do: a planar one. Its speeds are those
+// of the angles, or of a planar chain the angular velocities in the ground.
 struct chain : builder {
-  chain(int links, bool is_planar) : builder("N") {
+  chain(int links, bool is_planar, bool from_ground = false) : builder("N") {
     frame_id frame = inertial_frame();
     point_id hinge = origin("O");
+    expression below = number(0.0); // the angular velocity of the link below
     for (int i = 1; i <= links; ++i) {
       const std::string k = std::to_string(i);
       const expression q = coordinate("q" + k), u = speed("u" + k);
-      kinematic_equation(dot(q) - u);
+      const double sign = i == 3 ? -1 : 1;
+      kinematic_equation(dot(q) - (from_ground ? sign * (u - below) : u));
+      below = u;
       const bool about_x = !is_planar && i % 2 == 0;
-      frame = rotated("A" + k, frame, q, along(frame, about_x ? 1 : 0, 0, about_x ? 0 : i == 3 ? -1 : 1));
+      frame = rotated("A" + k, frame, q, along(frame, about_x ? 1 : 0, 0, about_x ? 0 : sign));
       rigid_body("B" + k, offset("C" + k, hinge, along(frame, 0.1 * i, -0.4, 0.05)), frame,
                  number(1 + 0.1 * i), inertia(frame, number(0.2), number(0.15), number(0.1 + 0.01 * i)));
       torque(frame, along(frame, 0, 0, input("T" + k)));
@@ -171,12 +205,95 @@ TEST(formulations, are_cheaper_for_a_planar_chain) {
   EXPECT_EQ(explain(b, {.searches = false}).chosen().called, "as the model states");
 }
 
+// Particles that slide along the lines y = 2 x.
+struct particles : builder {
+  explicit particles(int count) : builder("N") {
+    const point_id at = origin("O");
+    for (int i = 1; i <= count; ++i) {
+      const std::string k = std::to_string(i);
+      const expression x = coordinate("x" + k), y = coordinate("y" + k), u = speed("u" + k),
+                       w = speed("w" + k);
+      kinematic_equation(dot(x) - u);
+      kinematic_equation(dot(y) - w);
+      particle("B" + k, offset("P" + k, at, along(inertial_frame(), x, y, 0)), number(1));
+      velocity_constraint(w - 2 * u);
+    }
+    gravity(along(inertial_frame(), 0, -9.81, 0));
+  }
+};
+
+TEST(formulations, name_all_choices_of_dependent_speeds) {
+  const particles two(2);
+  std::set<std::string> found;
+  for (const formulation_candidate& each : explain(two).candidates)
+    if (each.word.starts_with("dependent<")) found.insert(each.word);
+  found.insert("dependent<u1, u2>"); // chosen by the library
+  EXPECT_EQ(found, (std::set<std::string>{"dependent<u1, u2>", "dependent<u1, w2>", "dependent<w1, u2>",
+                                          "dependent<w1, w2>"}));
+}
+
+// 40 speeds have 137 846 528 820 choices of 20.
+TEST(formulations, do_not_try_too_many_choices_of_dependent_speeds) {
+  const particles many(20), two(2);
+  const explanation forms = explain(many), unsearched = explain(two, {.searches = false});
+  const formulation_candidate& others = called(forms, "other dependent speeds");
+  EXPECT_EQ(others.cause, "there are more than 400 choices");
+  EXPECT_TRUE(others.is_left_out);
+  EXPECT_EQ(called(unsearched, "other dependent speeds").cause, "the options omit searches");
+  EXPECT_EQ(called(explain<chaplygin_sleigh::System>(), "other dependent speeds").cause,
+            "the constraints can be solved for no others");
+}
+
+TEST(formulations, name_the_solution) {
+  const explain_options briefly{.searches = false};
+  const auto solution_of = [&](const builder& b) {
+    const explanation forms = explain(b, briefly);
+    const formulation_candidate &by_elimination = called(forms, "by elimination"),
+                                &by_bodies = called(forms, "by articulated bodies");
+    const bool is_by_bodies = forms.solved_by == mechanics::solution::articulated_bodies;
+    EXPECT_NE(by_elimination.cost, by_bodies.cost);
+    if (b.mechanism().formulated.speeds == mechanics::internal_speeds::given)
+      EXPECT_EQ(forms.chosen().cost, (is_by_bodies ? by_bodies : by_elimination).cost);
+    return forms.text().substr(0, forms.text().find(')')).substr(forms.text().find('(') + 1);
+  };
+  chain small(5, true), middle(9, true), large(16, true);
+  EXPECT_EQ(solution_of(small), "elimination");
+  EXPECT_EQ(solution_of(middle), "articulated bodies"); // after M is formed
+  EXPECT_EQ(solution_of(large), "articulated bodies");  // without M
+  large.in_absolute_speeds();
+  EXPECT_EQ(solution_of(large), "elimination");
+  large.by_articulated_bodies();
+  EXPECT_EQ(solution_of(large), "articulated bodies");
+  const explanation of_mass = explain(large, {.results = {mechanics::quantity::mass_matrix}});
+  EXPECT_EQ(of_mass.solved_by, mechanics::solution::cheapest);
+  EXPECT_EQ(of_mass.text().find('('), std::string::npos);
+}
+
+TEST(formulations, are_empty_after_a_mistake) {
+  for (const explanation& none : {explain(builder("N")), explain(chain(2, true), {.results = {}})}) {
+    EXPECT_NE(none.mistake, "");
+    for (const formulation_candidate* each : {&none.chosen(), &none.best()}) {
+      EXPECT_FALSE(each->applies());
+      EXPECT_EQ(each->cause, "the system has no forms");
+      EXPECT_EQ(each->word, "");
+      EXPECT_TRUE(each->form.frames.empty());
+    }
+  }
+}
+
 TEST(formulations, name_the_reason_why_one_does_not_apply) {
   chain spatial(3, false);
   sliding_chain with_loop;
   const explain_options briefly{.searches = false};
-  EXPECT_EQ(called(explain(spatial, briefly), "absolute speeds").cause,
-            "no two bodies, one on the other, rotate about parallel axes of the ground");
+  EXPECT_EQ(
+      called(explain(spatial, briefly), "absolute speeds").cause,
+      "no two bodies, one on the other, rotate about parallel axes of the ground, each at a speed of its "
+      "own");
+  constexpr const char* from_ground =
+      "bodies that rotate about parallel axes of the ground have absolute speeds already";
+  EXPECT_EQ(called(explain<double_pendulum::System>(briefly), "absolute speeds").cause, from_ground);
+  EXPECT_EQ(called(explain(chain(3, true, true), briefly), "absolute speeds").cause, from_ground);
+  EXPECT_TRUE(called(explain(chain(3, true), briefly), "absolute speeds, by elimination").applies());
   EXPECT_EQ(called(explain(spatial, briefly), "other dependent speeds").cause, "it has no constraints");
   EXPECT_EQ(called(explain(with_loop, briefly), "by articulated bodies").cause, "it has constraints");
   EXPECT_EQ(called(explain<four_bar::LagrangeSystem>(briefly), "by articulated bodies").cause,
@@ -208,24 +325,22 @@ TEST(formulations, have_no_negative_weights) {
   EXPECT_EQ(b.check().cause(), "weighted_by gives an operation a negative weight");
 }
 
-// About the mass centers, there are more sums and fewer products.
+// Elimination has more sums that can be evaluated together with a product.
 TEST(formulations, depend_on_the_weights) {
   const explain_options plain{.searches = false},
-      free_sums{.weights = operation_weights{.addition = 0}, .searches = false};
-  int changed = 0;
+      fusing{.weights = operation_weights{.fused = 1}, .searches = false};
+  const chain planar(6, true);
+  EXPECT_NE(explain(planar, plain).best().called, explain(planar, fusing).best().called);
   for (int links = 5; links <= 12; ++links) {
-    const chain b(links, false);
-    const explanation by_default = explain(b, plain), by_products = explain(b, free_sums);
-    if (by_default.best().called != by_products.best().called) ++changed;
     chain with_weights(links, false);
-    with_weights.weighted_by({.addition = 0});
-    EXPECT_LE(explain(with_weights, free_sums).chosen().weighted, by_products.chosen().weighted);
+    const long long without = explain(with_weights, fusing).chosen().weighted;
+    with_weights.weighted_by({.fused = 1});
+    EXPECT_LE(explain(with_weights, fusing).chosen().weighted, without);
   }
-  EXPECT_GT(changed, 0);
 
   chain b(3, false);
-  b.weighted_by({.addition = 0});
-  EXPECT_EQ(explain(b, plain).text(), explain(b, free_sums).text());
+  b.weighted_by({.fused = 1});
+  EXPECT_EQ(explain(b, plain).text(), explain(b, fusing).text());
 }
 
 TEST(formulations, keep_the_weights_of_the_model) {

@@ -17,5 +17,6 @@
 #include <kanexpr/runtime/building/vector_builder.ipp>
 #include <kanexpr/runtime/building/wheel_builder.ipp>
 #include <kanexpr/runtime/explain.ipp>
+#include <kanexpr/runtime/explanation.ipp>
 #include <kanexpr/runtime/model.ipp>
 #include <kanexpr/runtime/staged_derivation.ipp>

@@ -90,6 +90,8 @@ public:
   constexpr const constraints& constraints_used() const { return constraints_; }
   constexpr const partition& speeds() const { return speeds_; }
   constexpr const partition& coordinates() const { return coordinates_; }
+  /// Whether u̇, once formed, follows from articulated bodies or from other speeds than those of the model.
+  constexpr bool has_other_form() const { return dynamics_.has_other_form(); }
 
   /// Rejects results that need bodies if the model gives a Lagrangian instead.
   constexpr sentence check_bodies(quantity wanted) const {

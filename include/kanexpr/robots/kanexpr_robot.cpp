@@ -97,6 +97,7 @@ std::string read_weights(const std::vector<std::string>& words, operation_weight
 /// The forms of the equations of a robot. A header has no names for the axes in which joints are mounted.
 kanexpr::explanation forms_of(const robot& r, const request& wanted, const operation_weights& weights) {
   robot_builder built(r, wanted.model);
+  if (const std::string cause = built.cause(); !cause.empty()) return {.mistake = cause};
   built.weighted_by(weights);
   kanexpr::explain_options how;
   how.may_use = [](std::string_view frame) { return !frame.ends_with("_home"); };

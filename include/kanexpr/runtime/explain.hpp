@@ -38,11 +38,19 @@ struct explanation {
   std::string mistake{}; ///< of the system; there are no candidates then
   std::vector<formulation_candidate> candidates{};
   std::size_t cheapest = 0; ///< by the given weights; the first of several equal ones
+  operation_weights weights{};
+  /// How the form of the model finds u̇; `solution::cheapest` if the counted results do not depend on it.
+  mechanics::solution solved_by = mechanics::solution::cheapest;
 
-  const formulation_candidate& chosen() const { return candidates.front(); }
-  const formulation_candidate& best() const { return candidates[cheapest]; }
-  /// A table with a row for each candidate, and the word that states the cheapest one.
+  /// The form of the model and the cheapest form. After a mistake, both are a candidate that does not apply,
+  /// with a form that states nothing.
+  const formulation_candidate& chosen() const { return candidate(0); }
+  const formulation_candidate& best() const { return candidate(cheapest); }
+  /// A table with a row for each candidate, the weights, and the word that states the cheapest one.
   KANEXPR_ENGINE std::string text() const;
+
+private:
+  KANEXPR_ENGINE const formulation_candidate& candidate(std::size_t place) const;
 };
 
 /// Options of `explain`.
@@ -52,7 +60,7 @@ struct explain_options {
   /// By default, those of the model.
   std::optional<operation_weights> weights{};
   /// Whether the axes and reference points of each body are varied one after another until the cost falls no
-  /// further.
+  /// further, and other dependent speeds are tried.
   bool searches = true;
   /// Whether the axes of a frame may be used, by its name; by default, those of all frames.
   std::function<bool(std::string_view)> may_use{};
@@ -84,4 +92,5 @@ KANEXPR_ENGINE explanation explain(const runtime::builder& built, const explain_
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/explain.ipp>
+#include <kanexpr/runtime/explanation.ipp>
 #endif

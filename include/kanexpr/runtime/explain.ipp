@@ -16,6 +16,7 @@
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/runtime/explain.hpp>
 #include <kanexpr/runtime/formulation_search.hpp>
+#include <kanexpr/runtime/speeds_in_ground.hpp>
 #include <kanexpr/runtime/system_expressions.ipp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -79,6 +80,7 @@ private:
     weights_ = options_.weights.value_or(given.weights);
     const bool is_stated = !given.frames.empty() || given.solved_by != solution::cheapest ||
                            given.speeds != mechanics::internal_speeds::given;
+    found_.weights = weights_;
     found_.candidates.push_back({is_stated ? "as the model states" : "chosen by the library", "", c,
                                  c.weighted(weights_), given, ""});
     for (const mechanics::frame& f : m.frames) frames_.emplace_back(f.called.view());
@@ -96,8 +98,17 @@ private:
       no_tree_ = "a body is flexible";
     if (no_tree_.empty() && !counts_solution()) no_tree_ = "only udot and rhs depend on it";
     no_absolute_ = no_tree_;
-    if (no_tree_.empty() && !mechanics::absolute_speeds(s).is_any())
-      no_absolute_ = "no two bodies, one on the other, rotate about parallel axes of the ground";
+    const bool is_any_absolute = no_tree_.empty() && mechanics::absolute_speeds(s).is_any();
+    if (no_tree_.empty() && !is_any_absolute)
+      no_absolute_ = has_speeds_from_ground(s)
+                         ? "bodies that rotate about parallel axes of the ground have absolute speeds already"
+                         : "no two bodies, one on the other, rotate about parallel axes of the ground, each "
+                           "at a speed of its own";
+    if (!counts_solution()) return;
+    const bool is_absolute = given.speeds == mechanics::internal_speeds::absolute && is_any_absolute;
+    const bool by_bodies =
+        e.has_other_form() && (!is_absolute || given.solved_by == solution::articulated_bodies);
+    found_.solved_by = by_bodies ? solution::articulated_bodies : solution::elimination;
   }
 
   /// With the weights of the model, which also determine choices of the library other than these.
@@ -162,43 +173,57 @@ private:
   /// The cheapest other choices of the speeds for which the constraints are solved. They change the states at
   /// which this is impossible, so they are listed, but never recommended.
   void compare_dependent_speeds() {
-    constexpr std::size_t most_tried = 400, most_shown = 3;
-    if (dependent_.empty()) {
-      found_.candidates.push_back({.called = "other dependent speeds", .cause = "it has no constraints"});
+    constexpr std::size_t most_shown = 3;
+    const std::string cause = dependent_.empty()       ? "it has no constraints"
+                              : !options_.searches     ? "the options omit searches"
+                              : has_too_many_choices() ? "there are more than 400 choices"
+                                                       : "";
+    if (!cause.empty()) {
+      found_.candidates.push_back(
+          {.called = "other dependent speeds", .cause = cause, .is_left_out = !dependent_.empty()});
       return;
     }
     std::vector<formulation_candidate> others;
-    std::size_t tried = 0;
-    each_choice({}, 0, [&](const sequence<int>& chosen) {
-      if (++tried > most_tried || std::equal(chosen.begin(), chosen.end(), dependent_.begin())) return;
+    sequence<int> chosen;
+    for (int i = 0; i < dependent_.size(); ++i) chosen.push(i);
+    do {
+      if (std::equal(chosen.begin(), chosen.end(), dependent_.begin())) continue;
       formulation_candidate c{.form = found_.chosen().form};
       c.cause = form_({c.form, chosen, false}, [&](mechanics::equations&, const symbolic::cost& counted) {
         c.cost = counted, c.weighted = counted.weighted(weights_);
       });
-      if (!c.applies()) return;
+      if (!c.applies()) continue;
       for (int i : chosen) c.word += (c.word.empty() ? "dependent<" : ", ") + speeds_[at(i)];
       c.word += ">";
       c.called = c.word;
       others.push_back(c);
-    });
+    } while (advance(chosen));
+    if (others.empty())
+      found_.candidates.push_back(
+          {.called = "other dependent speeds", .cause = "the constraints can be solved for no others"});
     std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
       return a.weighted != b.weighted ? a.weighted < b.weighted : a.word < b.word;
     });
     others.resize((std::min)(others.size(), most_shown));
     for (const formulation_candidate& c : others) found_.candidates.push_back(c);
-    if (tried > most_tried)
-      found_.candidates.push_back({.called = "further dependent speeds",
-                                   .cause = "there are more than 400 choices",
-                                   .is_left_out = true});
   }
-  template <class Use>
-  void each_choice(sequence<int> chosen, int next, const Use& use) const {
-    if (chosen.size() == dependent_.size()) return use(chosen);
-    for (int i = next; i < static_cast<int>(speeds_.size()); ++i) {
-      sequence<int> more = chosen;
-      more.push(i);
-      each_choice(more, i + 1, use);
-    }
+
+  /// Each choice takes the time of a derivation.
+  bool has_too_many_choices() const {
+    constexpr long long most = 400;
+    const long long fixed = static_cast<long long>(speeds_.size()) - dependent_.size();
+    long long choices = 1; // binomial coefficients, which increase
+    for (int i = 1; i <= dependent_.size() && choices <= most; ++i) choices = choices * (fixed + i) / i;
+    return choices > most;
+  }
+  /// Replaces a choice of speeds by the next one in lexicographic order; false after the last one.
+  bool advance(sequence<int>& chosen) const {
+    const int speeds = static_cast<int>(speeds_.size()), count = chosen.size();
+    int i = count - 1;
+    while (i >= 0 && chosen[i] == speeds - count + i) --i;
+    if (i < 0) return false;
+    for (int next = chosen[i] + 1; i < count; ++i) chosen[i] = next++;
+    return true;
   }
 
   void add(const std::string& called, const mechanics::formulation& form) {
@@ -248,6 +273,7 @@ inline std::string lack_of_entries(const explain_options& options) {
 
 inline std::vector<derivation::request> requests_of(const explain_options& options) {
   std::vector<derivation::request> all;
+  all.reserve(options.results.size());
   for (const mechanics::quantity one : options.results)
     all.push_back({.what = derivation::request::kind::result, .wanted = one});
   return all;
@@ -256,7 +282,8 @@ inline std::vector<derivation::request> requests_of(const explain_options& optio
 } // namespace detail
 
 KANEXPR_ENGINE std::string word_of(const symbolic::operation_weights& weights) {
-  const symbolic::operation_weights standard;
+  symbolic::operation_weights standard;
+  standard.fused = weights.multiplication + weights.addition;
   std::string parts;
   for (const auto& [called, weight] : symbolic::weighted_operations)
     if (weights.*weight != standard.*weight)
@@ -307,37 +334,6 @@ KANEXPR_ENGINE explanation explain(const runtime::builder& built, const explain_
     return {};
   };
   return runtime::detail::comparison_of_forms(form, options).run();
-}
-
-KANEXPR_ENGINE std::string explanation::text() const {
-  if (!mistake.empty()) return mistake + '\n';
-  constexpr std::size_t columns = 6;
-  std::vector<std::array<std::string, columns + 1>> rows{
-      {"", "mul + add", "fused", "div", "sincos", "other", "weighted"}};
-  for (const formulation_candidate& c : candidates) {
-    const symbolic::cost& k = c.cost;
-    rows.push_back({c.called, std::to_string(k.multiplications + k.additions), std::to_string(k.fused),
-                    std::to_string(k.divisions), std::to_string(k.trigonometric), std::to_string(k.other),
-                    std::to_string(c.weighted)});
-  }
-  std::array<std::size_t, columns + 1> widths;
-  widths.fill(6);
-  for (const auto& row : rows)
-    for (std::size_t j = 0; j <= columns; ++j) widths[j] = (std::max)(widths[j], row[j].size());
-  std::string all;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool is_cheapest = i == cheapest + 1;
-    all += (is_cheapest ? "* " : "  ") + rows[i][0] + std::string(widths[0] - rows[i][0].size(), ' ');
-    if (i > 0 && !candidates[i - 1].applies()) {
-      all += candidates[i - 1].is_left_out ? "  not formed: " : "  does not apply: ";
-      all += candidates[i - 1].cause + '\n';
-      continue;
-    }
-    for (std::size_t j = 1; j <= columns; ++j)
-      all += "  " + std::string(widths[j] - rows[i][j].size(), ' ') + rows[i][j];
-    all += '\n';
-  }
-  return all + (best().word.empty() ? "" : "\n" + best().word + '\n');
 }
 
 } // namespace kanexpr

@@ -9,7 +9,8 @@ namespace kanexpr::symbolic {
 struct operation_weights {
   int multiplication = 1;
   int addition = 1;
-  int fused = 2; ///< a sum and one product that only this sum uses, together
+  /// A sum and one product that only this sum uses, together.
+  int fused = multiplication + addition;
   int division = 4;
   int square_root = 6;
   int trigonometric = 16; ///< the sine and the cosine of one angle, or another trigonometric function

@@ -165,6 +165,9 @@ public:
     return udot_by_elimination_;
   }
 
+  /// Whether u̇, once formed, follows from articulated bodies or from other speeds than those of the model.
+  constexpr bool has_other_form() const { return has_other_form_; }
+
   /// The pivots of the mass matrix in the solution for the accelerations.
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
