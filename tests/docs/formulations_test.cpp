@@ -337,6 +337,14 @@ TEST(formulations, depend_on_the_weights) {
     with_weights.weighted_by({.fused = 1});
     EXPECT_LE(explain(with_weights, fusing).chosen().weighted, without);
   }
+  for (int links = 8; links <= 12; ++links) {
+    chain in_plane(links, true);
+    in_plane.weighted_by({.fused = 1});
+    const explanation forms = explain(in_plane, fusing);
+    for (const formulation_candidate& each : forms.candidates)
+      if (each.called == "by elimination" || each.called == "by articulated bodies")
+        EXPECT_LE(forms.chosen().weighted, each.weighted) << links << " links " << each.called;
+  }
 
   chain b(3, false);
   b.weighted_by({.fused = 1});

@@ -51,9 +51,9 @@ struct threshold {
   int speeds, operations; ///< the operations are those for each speed
 };
 
+/// Most products of an elimination are fused with a sum.
 constexpr long long weighted(const threshold& t, int speeds, const operation_weights& by) {
-  const long long mean = (1LL * by.multiplication + by.addition + 1) / 2;
-  return mean * t.operations * speeds;
+  return 1LL * by.fused * t.operations * speeds / 2;
 }
 
 } // namespace detail
