@@ -186,27 +186,30 @@ void report(void*, void*) {
   std::FILE* const out = path != nullptr ? std::fopen(path, "w") : nullptr;
   if (out == nullptr) return;
   tally kinds, own, within, roots, instantiated, passes, optimized;
-  std::map<tree, std::string> places;
-  const auto place_of = [&](tree function) -> const std::string& {
-    auto known = places.find(function);
-    if (known == places.end()) known = places.emplace(function, place(function)).first;
-    return known->second;
+  // a name of thousands of template arguments takes long
+  std::map<tree, std::string> places, entities;
+  const auto known = [](std::map<tree, std::string>& all, tree t, auto name) -> const std::string& {
+    auto found = all.find(t);
+    if (found == all.end()) found = all.emplace(t, name(t)).first;
+    return found->second;
   };
+  const auto place_of = [&](tree function) -> const std::string& { return known(places, function, place); };
+  const auto entity_of = [&](tree t) -> const std::string& { return known(entities, t, entity); };
   for (const sample& each : samples) {
     if (each.depth > 0) {
       ++kinds["constant evaluation"];
       ++own[place_of(each.function[each.depth - 1])];
-      ++roots[entity(each.function[0])];
+      ++roots[entity_of(each.function[0])];
       std::set<std::string> once;
       for (int k = 0; k < each.depth; ++k) once.insert(place_of(each.function[k]));
       for (const std::string& name : once) ++within[name];
     } else if (each.instantiated != NULL_TREE) {
       ++kinds["instantiation"];
-      ++instantiated[entity(each.instantiated)];
+      ++instantiated[entity_of(each.instantiated)];
     } else if (each.pass != nullptr) {
       ++kinds["optimization and output"];
       ++passes[each.pass];
-      ++optimized[entity(each.optimized)];
+      ++optimized[entity_of(each.optimized)];
     } else {
       ++kinds["reading, and collecting garbage"];
     }
