@@ -4,7 +4,6 @@
 #include <kanexpr/animate/tracks.hpp>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -61,11 +60,26 @@ inline Eigen::MatrixXd numbers_of(const bending& b, const std::vector<track>& al
   return numbers;
 }
 
+/// The unit vector along which the columns are largest in the mean square, by power iteration from the
+/// largest one. Where other directions are almost as large, it may be a mixture, which is as good. Compilers
+/// take seconds for a solver of eigenvalues of any order.
+inline Eigen::VectorXd principal_direction(const Eigen::MatrixXd& columns) {
+  constexpr int iterations = 8;
+  Eigen::Index largest = 0;
+  columns.colwise().squaredNorm().maxCoeff(&largest);
+  Eigen::VectorXd direction = columns.col(largest).normalized();
+  for (int i = 0; i < iterations; ++i) {
+    const Eigen::RowVectorXd along = direction.transpose().lazyProduct(columns);
+    direction = columns.lazyProduct(along.transpose());
+    direction.normalize();
+  }
+  return direction;
+}
+
 /// Finds the deflections; returns false if there are so many that they would save little.
 inline bool find_deflections(bending& b, const Eigen::MatrixXd& numbers) {
   b.mean = numbers.rowwise().mean();
   Eigen::MatrixXd rest = numbers.colwise() - b.mean;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(rest * rest.transpose());
   const Eigen::Index most = (std::min)(numbers.rows() / 2, numbers.cols() / 2);
   b.deflections.resize(numbers.rows(), 0);
   b.weights.resize(0, numbers.cols());
@@ -73,9 +87,9 @@ inline bool find_deflections(bending& b, const Eigen::MatrixXd& numbers) {
     if (count == most) return false;
     b.deflections.conservativeResize(Eigen::NoChange, count + 1);
     b.weights.conservativeResize(count + 1, Eigen::NoChange);
-    b.deflections.col(count) = principal.eigenvectors().col(numbers.rows() - 1 - count);
-    b.weights.row(count) = b.deflections.col(count).transpose() * rest;
-    rest -= b.deflections.col(count) * b.weights.row(count);
+    b.deflections.col(count) = principal_direction(rest);
+    b.weights.row(count) = b.deflections.col(count).transpose().lazyProduct(rest);
+    rest -= b.deflections.col(count).lazyProduct(b.weights.row(count));
   }
   return true;
 }
