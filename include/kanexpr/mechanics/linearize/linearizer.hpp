@@ -266,8 +266,10 @@ private:
       const symbolic::cost c = symbolic::cost_of(g_, symbolic::nodes_of(m.entries));
       return c.multiplications + c.additions;
     };
-    // the estimate does not include shared results, of which forward differentiation has more
-    if (10 * modes.by_forward() < 11 * modes.by_both())
+    // the estimate does not include shared results, of which forward differentiation has more; both are
+    // formed only where this takes little of a compiler's time and memory
+    constexpr int most_formed_twice = 30000;
+    if (modes.by_forward() < most_formed_twice && 10 * modes.by_forward() < 11 * modes.by_both())
       if (const symbolic::matrix other = changes_by_forward(force); operations(other) < operations(out))
         return other;
     for (int j = 0; j < states.size(); ++j) {
