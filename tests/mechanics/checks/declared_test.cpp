@@ -359,6 +359,23 @@ TEST(fixed_point, may_be_where_two_bodies_touch) {
   }
 }
 
+// A tiny part of the rate, of a speed that reaches it through two kinematic equations only.
+TEST(declared_velocity, is_the_rate_of_the_position_for_each_speed_alone) {
+  for (const double part : {0.0, 1e-10}) {
+    bench b(false);
+    b.kinematic_equation(b.dot(b.q[0]) + b.dot(b.q[1]) - b.u[0] - b.u[1]);
+    b.kinematic_equation(b.dot(b.q[1]) - b.dot(b.q[0]) + b.u[0] - b.u[1] + b.number(part) * b.u[2]);
+    b.kinematic_equation(b.dot(b.q[2]) - b.u[2]);
+    const point_id p = b.offset("P", b.o, b.along(b.n, b.q[0], 0, 0));
+    b.velocity(p, b.n, b.along(b.n, b.u[0], 0, 0));
+    b.particle("Bead", p, b.number(1));
+    b.particle("Ballast", b.offset("B", b.o, b.along(b.n, 0, b.q[1], b.q[2])), b.number(1));
+    EXPECT_EQ(told(b), part == 0 ? ""
+                                 : "the velocity of point P is not the rate of its position; if this is "
+                                   "intended, write velocity_apart_from_position");
+  }
+}
+
 TEST(inertia, stays_as_the_body_sees_it) {
   bench b;
   const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1)),

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/checks/involved_speeds.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
@@ -35,7 +36,10 @@ public:
       for (int i = 0; i < m_.flexible_bodies.size() && !found; ++i)
         found = deviating_mass(m_.flexible_bodies[i].reference);
     }
+    if (found) return found;
+    const sequence<int> involved = speeds_of_declared_velocities();
     for (int i = 0; i < m_.speeds.size() && !found; ++i) {
+      if (!involved.contains(m_.speeds[i].node())) continue;
       motion_.draw();
       motion_.keep_only(m_.speeds[i]);
       if (motion_.move(false)) found = mistaken_velocity();
@@ -64,6 +68,13 @@ public:
   }
 
 private:
+  constexpr sequence<int> speeds_of_declared_velocities() const {
+    involved_speeds found(m_, held_);
+    for (int p = 0; p < m_.points.size(); ++p)
+      if (is_to_agree(m_.points[p])) found.add_point(p);
+    return found.all();
+  }
+
   constexpr base::sentence mistaken_velocity() const {
     for (int p = 0; p < m_.points.size(); ++p)
       if (is_to_agree(m_.points[p]) && is_defined(p) && !agrees(p))
