@@ -38,8 +38,16 @@ class accumulation {
     for (int id : order_) {
       const int adjoint = adjoints[id];
       if (adjoint == graph::zero) continue;
-      const node n = graph_.node_at(id);
-      if (is_leaf(n.op) || (!held_.empty() && held_[id] != 0)) continue;
+      const auto& nodes = graph_.elements<is_constant>(); // anew, because the graph grows
+      const operation op = nodes[id].op;
+      const int a = nodes[id].a, b = nodes[id].b;
+      if (is_leaf(op) || (!held_.empty() && held_[id] != 0)) continue;
+      if (op == operation::multiply && a != b) { // the most frequent one, without a copy of the node
+        collect(a, multiply(graph_, b, adjoint));
+        collect(b, multiply(graph_, a, adjoint));
+        continue;
+      }
+      const node n{op, a, b};
       if (n.op == operation::component)
         adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
       else if (is_solution(n.op))
@@ -48,7 +56,9 @@ class accumulation {
         propagate_call(id, n, adjoint);
       else if (is_selection(n.op))
         propagate_selection(n, adjoint);
-      else if (n.op != operation::singularity_measure && !propagate_rotation(n, adjoint))
+      else if (n.op == operation::add || n.op == operation::subtract)
+        propagate_sum(n, adjoint);
+      else if (n.op != operation::singularity_measure)
         propagate_partials(id, n, adjoint);
     }
   }
@@ -92,7 +102,7 @@ public:
 private:
   constexpr void collect(int id, int part) {
     int& adjoint = adjoints_[id];
-    adjoint = add(graph_, adjoint, part);
+    adjoint = adjoint == graph::zero ? part : add(graph_, adjoint, part);
   }
 
   constexpr void propagate_partials(int id, const node& n, int adjoint) {
@@ -105,16 +115,19 @@ private:
     if (is_binary(n.op)) collect(n.b, multiply(graph_, p.by_b, adjoint));
   }
 
-  /// Propagates the adjoint of a rotated component, with one product for the angle and one for each rotated
+  /// Propagates the adjoint of a rotated component with one product for the angle and one for each rotated
   /// value.
-  constexpr bool propagate_rotation(const node& n, int adjoint) {
+  constexpr void propagate_sum(const node& n, int adjoint) {
     const rotated_component x = rotated_component_at(graph_, n);
-    if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) return false;
+    if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) {
+      collect(n.a, adjoint);
+      collect(n.b, n.op == operation::add ? adjoint : negate(graph_, adjoint));
+      return;
+    }
     const rotated_derivative slope = derivative_by_angle(graph_, x);
     collect(x.angle, slope.value, adjoint, slope.is_negative);
     collect(x.value[0], x.trigonometric[0], adjoint, false);
     collect(x.value[1], x.trigonometric[1], adjoint, !x.adds);
-    return true;
   }
 
   constexpr void propagate_call(int id, const node& n, int adjoint) {
