@@ -38,7 +38,7 @@ class accumulation {
     for (int id : order_) {
       const int adjoint = adjoints[id];
       if (adjoint == graph::zero) continue;
-      const auto& nodes = graph_.elements<is_constant>(); // anew, because the graph grows
+      const auto& nodes = graph_.elements<is_constant>(); // not before the loop, because the graph grows
       const operation op = nodes[id].op;
       const int a = nodes[id].a, b = nodes[id].b;
       if (is_leaf(op) || (!held_.empty() && held_[id] != 0)) continue;
