@@ -12,7 +12,8 @@ namespace kanexpr::lower {
 /// places in memory, and steps whose values other pieces use store them at once, so that they need no
 /// register until the end.
 ///
-/// Steps read arguments directly from memory: an entry for each of them would double what g++ has to process.
+/// Steps read arguments directly from memory, because an entry for each of them would be a function of its
+/// own while compilers expand the piece.
 template <class Code, class Number>
 class unrolled_piece : unrolled_steps<Code, Number> {
   using steps = unrolled_steps<Code, Number>;
