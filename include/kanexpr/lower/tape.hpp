@@ -276,7 +276,7 @@ constexpr Tape tape_from(graph& g, const sequence<int>& outputs) {
   symbolic::live_list live(g, outputs);
   if (!symbolic::has_linear_systems(g, live))
     return scheduling<is_constant, Tape>(g, static_cast<symbolic::live_list&&>(live), outputs).run();
-  const sequence<int> expanded = symbolic::expand_solves(g, outputs);
+  const sequence<int> expanded = symbolic::expand_solves(g, outputs, live);
   return scheduling<is_constant, Tape>(g, symbolic::live_list(g, expanded), expanded).run();
 }
 

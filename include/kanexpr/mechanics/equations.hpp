@@ -168,9 +168,7 @@ public:
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
     else
       all.append(checks_of_mass(*m_, speeds_, pivots()));
-    sequence<singularity_check> live = live_checks(*m_->g, all, outputs);
-    live.append(checks_of_finiteness(*m_, outputs, sure_divisors, live));
-    return live;
+    return needed_checks(*m_, all, sure_divisors, outputs);
   }
 
   /// The unsubstituted velocities and accelerations, with the symbols u̇.

@@ -10,7 +10,6 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -57,15 +56,9 @@ public:
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
   /// Notes a matrix of the linearized equations.
-  void note_linearization(const symbolic::matrix& formed) {
-    if (!is_linearization(formed)) linearizations_.push_back(symbolic::nodes_of(formed.entries));
-  }
+  void note_linearization(const symbolic::matrix& formed);
   /// Whether a matrix was noted. A function that evaluates it reports every entry that is not finite.
-  bool is_linearization(const symbolic::matrix& m) const {
-    const base::sequence<int> nodes = symbolic::nodes_of(m.entries);
-    return std::ranges::any_of(linearizations_,
-                               [&](const auto& each) { return std::ranges::equal(each, nodes); });
-  }
+  bool is_linearization(const symbolic::matrix& m) const;
 
   /// The mistake in the last request, not in the system itself.
   base::sentence request_mistake{};

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/engine.hpp>
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/entity_digests.hpp>
 #include <kanexpr/derivation/image.hpp>
 #include <kanexpr/derivation/model_units.hpp>
@@ -16,13 +18,24 @@
 #include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 
 namespace kanexpr::runtime {
+
+KANEXPR_ENGINE void derived::note_linearization(const symbolic::matrix& formed) {
+  if (!is_linearization(formed)) linearizations_.push_back(symbolic::nodes_of(formed.entries));
+}
+KANEXPR_ENGINE bool derived::is_linearization(const symbolic::matrix& m) const {
+  const base::sequence<int> nodes = symbolic::nodes_of(m.entries);
+  return std::ranges::any_of(linearizations_,
+                             [&](const auto& each) { return std::ranges::equal(each, nodes); });
+}
 
 /// A system derived from the types of a model.
 class derived_from_types final : public derived {

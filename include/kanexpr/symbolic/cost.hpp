@@ -178,7 +178,7 @@ constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
   const live_list live(g, outputs);
   if (!has_linear_systems(g, live)) return detail::cost_of_written_out(g, outputs, live);
   graph copy = g;
-  const sequence<int> expanded = expand_solves(copy, outputs);
+  const sequence<int> expanded = expand_solves(copy, outputs, live);
   return detail::cost_of_written_out(copy, expanded, live_list(copy, expanded));
 }
 

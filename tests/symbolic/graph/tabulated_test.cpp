@@ -144,7 +144,8 @@ TEST_F(table_of_points, periodic_curve_goes_on) {
 
 TEST_F(table_of_points, curve_of_numbers_cannot_fail) {
   const expression e = curve(references::force_points, true);
-  EXPECT_TRUE(finiteness(g, {e.node(), differentiate(e, x).node()}, {}).outputs_to_check().empty());
+  const sequence<int> outputs{e.node(), differentiate(e, x).node()};
+  EXPECT_TRUE(finiteness(g, outputs, live_list(g, outputs), {}).outputs_to_check().empty());
 }
 
 TEST_F(table_of_points, curve_counts_its_intervals) {

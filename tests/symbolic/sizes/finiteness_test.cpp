@@ -22,7 +22,7 @@ protected:
     sequence<int> nodes;
     for (const expression& e : outputs) nodes.push(e.node());
     std::vector<int> places;
-    for (int id : finiteness(g, nodes, sure).outputs_to_check())
+    for (int id : finiteness(g, nodes, live_list(g, nodes), sure).outputs_to_check())
       for (std::size_t i = 0; i < outputs.size(); ++i)
         if (outputs[i].node() == id) places.push_back(static_cast<int>(i));
     return places;
@@ -31,7 +31,8 @@ protected:
   std::string suspects(expression e, const sequence<int>& known = {}) {
     const sequence<int> nodes{e.node()};
     std::string names;
-    for (int id : finiteness(g, nodes, {}).suspicious_symbols(known)) names += g.symbol_at(id).called.view();
+    for (int id : finiteness(g, nodes, live_list(g, nodes), {}).suspicious_symbols(known))
+      names += g.symbol_at(id).called.view();
     return names;
   }
 

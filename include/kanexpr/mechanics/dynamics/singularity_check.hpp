@@ -95,13 +95,14 @@ constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const p
 inline constexpr std::string_view results_not_finite =
     "the results are not finite at this state; check for unset values";
 
-/// The check for results that may be infinite or NaN at a state; empty if none can be. `others` are the
-/// preceding checks.
+/// The check for results that may be infinite or NaN at a state; empty if none can be. `live` are the live
+/// nodes of the outputs, and `others` the preceding checks.
 constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, const sequence<int>& outputs,
+                                                           const symbolic::live_list& live,
                                                            const sequence<int>& sure_divisors,
                                                            const sequence<singularity_check>& others) {
   graph& g = *m.g;
-  const symbolic::finiteness found(g, outputs, sure_divisors);
+  const symbolic::finiteness found(g, outputs, live, sure_divisors);
   const sequence<int> watched = found.outputs_to_check();
   if (watched.empty()) return {};
   sequence<int> known, places;
@@ -117,15 +118,17 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
            true}};
 }
 
-/// The checks on which the given outputs depend.
-constexpr sequence<singularity_check> live_checks(const graph& g, const sequence<singularity_check>& all,
-                                                  const sequence<int>& outputs) {
-  sequence<singularity_check> live;
-  if (all.empty()) return live;
-  const base::zeros<char> needed = symbolic::live_nodes(g, outputs);
+/// The checks on which the outputs depend; the last one checks that the outputs are finite.
+constexpr sequence<singularity_check> needed_checks(const mechanism& m,
+                                                    const sequence<singularity_check>& all,
+                                                    const sequence<int>& sure_divisors,
+                                                    const sequence<int>& outputs) {
+  const symbolic::live_list live(*m.g, outputs);
+  sequence<singularity_check> needed;
   for (const singularity_check& each : all)
-    if (symbolic::depends_on_block(g, needed, each.key)) live.push(each);
-  return live;
+    if (symbolic::depends_on_block(*m.g, live.marks, each.key)) needed.push(each);
+  needed.append(checks_of_finiteness(m, outputs, live, sure_divisors, needed));
+  return needed;
 }
 
 } // namespace kanexpr::mechanics

@@ -33,7 +33,7 @@ public:
   class column : public std::span<const double> {
   public:
     explicit column(const std::vector<double>& values, std::string unit = {})
-        : std::span<const double>(values), unit_(std::move(unit)) {}
+        : std::span<const double>(values.data(), values.size()), unit_(std::move(unit)) {}
     explicit column(outcome missing) : found_(std::move(missing)) {}
 
     explicit operator bool() const { return static_cast<bool>(found_); }

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -66,10 +65,10 @@ inline bool evaluate(const std::vector<piece>& pieces, double t, double* out, st
 
 /// Evaluates the cubic Hermite interpolant of two states and their rates at a fraction of the interval
 /// between them.
-inline void cubic(double part, double length, std::span<const double> a, const double* rates_a,
-                  const double* b, const double* rates_b, double* out) {
+inline void cubic(double part, double length, const double* a, const double* rates_a, const double* b,
+                  const double* rates_b, double* out, std::size_t entries) {
   const double s = part, left = 1 - s;
-  for (std::size_t i = 0; i < a.size(); ++i)
+  for (std::size_t i = 0; i < entries; ++i)
     out[i] = left * left * (1 + 2 * s) * a[i] + s * s * (3 - 2 * s) * b[i] +
              length * s * left * (left * rates_a[i] - s * rates_b[i]);
 }
@@ -123,9 +122,10 @@ protected:
     const double part = (t - a.t) / (b.t - a.t);
     sample found{t, a.x, a.r};
     for (Eigen::Index i = 0; i < found.r.size(); ++i) found.r(i) += part * (b.r(i) - a.r(i));
-    if (!evaluate(pieces_, t, found.x.data(), static_cast<std::size_t>(found.x.size())))
-      cubic(part, b.t - a.t, std::span(a.x.data(), static_cast<std::size_t>(a.x.size())), rates(a).data(),
-            b.x.data(), rates(b).data(), found.x.data());
+    const auto entries = static_cast<std::size_t>(found.x.size());
+    if (!evaluate(pieces_, t, found.x.data(), entries))
+      cubic(part, b.t - a.t, a.x.data(), rates(a).data(), b.x.data(), rates(b).data(), found.x.data(),
+            entries);
     return found;
   }
 

@@ -29,7 +29,8 @@ public:
   /// Computes the value of each node once and discards it after its last use. Small linear systems are
   /// expanded. Returns nothing if the budget is exceeded.
   std::vector<Value> read(sequence<int> outputs) {
-    if (has_linear_systems(g_, live_list(g_, outputs))) outputs = expand_solves(g_, outputs);
+    if (const live_list live(g_, outputs); has_linear_systems(g_, live))
+      outputs = expand_solves(g_, outputs, live);
     const int end = g_.size();
     count_uses(outputs);
     values_.assign(static_cast<std::size_t>(end), Value());

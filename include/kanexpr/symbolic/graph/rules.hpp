@@ -177,35 +177,43 @@ constexpr int multiply(graph& g, int a, int b) {
   if (a == graph::zero || b == graph::zero) return graph::zero;
   if (a == graph::one) return b;
   if (b == graph::one) return a;
-  node x, y;
+  operation of_a{}, of_b{};
   if (__builtin_is_constant_evaluated()) {
     const auto& nodes = g.block_->value;
-    x = nodes[a];
-    y = nodes[b];
+    of_a = nodes[a].op;
+    of_b = nodes[b].op;
   } else {
-    x = g.nodes_[a];
-    y = g.nodes_[b];
+    of_a = g.nodes_[a].op;
+    of_b = g.nodes_[b].op;
   }
-  if (x.op == operation::constant) {
+  if (of_a == operation::constant) {
     const number c = g.number_at(a);
-    if (y.op == operation::constant) return g.constant(c * g.number_at(b));
+    if (of_b == operation::constant) return g.constant(c * g.number_at(b));
     if (c.negative()) return negate(g, multiply(g, g.constant(-c), b));
-    if (y.op == operation::negate) return negate(g, multiply(g, a, y.a));
-    if (y.op == operation::multiply && g.nodes_[y.a].op == operation::constant)
-      return multiply(g, g.constant(c * g.number_at(y.a)), y.b);
+    if (of_b == operation::negate) return negate(g, multiply(g, a, g.nodes_[b].a));
+    if (of_b == operation::multiply) {
+      const node product = g.nodes_[b];
+      if (g.nodes_[product.a].op == operation::constant)
+        return multiply(g, g.constant(c * g.number_at(product.a)), product.b);
+    }
     return g.find_or_append(operation::multiply, a, b);
   }
-  if (y.op == operation::constant) return multiply(g, b, a);
-  if (x.op == operation::negate)
-    return y.op == operation::negate ? multiply(g, x.a, y.a) : negate(g, multiply(g, x.a, b));
-  if (y.op == operation::negate) return negate(g, multiply(g, a, y.a));
-  if (x.op == operation::sqrt && a == b) return x.a;
-  if (x.op == operation::divide && x.b == b) return x.a;
-  if (y.op == operation::divide && y.b == a) return y.a;
-  if (x.op == operation::multiply && g.nodes_[x.a].op == operation::constant && y.op == operation::multiply &&
-      g.nodes_[y.a].op == operation::constant) {
-    const int c = g.constant(g.number_at(x.a) * g.number_at(y.a));
-    return multiply(g, c, multiply(g, x.b, y.b));
+  if (of_b == operation::constant) return multiply(g, b, a);
+  if (of_a == operation::negate) {
+    const int opposite = g.nodes_[a].a;
+    return of_b == operation::negate ? multiply(g, opposite, g.nodes_[b].a)
+                                     : negate(g, multiply(g, opposite, b));
+  }
+  if (of_b == operation::negate) return negate(g, multiply(g, a, g.nodes_[b].a));
+  if (of_a == operation::sqrt && a == b) return g.nodes_[a].a;
+  if (of_a == operation::divide && g.nodes_[a].b == b) return g.nodes_[a].a;
+  if (of_b == operation::divide && g.nodes_[b].b == a) return g.nodes_[b].a;
+  if (of_a == operation::multiply && of_b == operation::multiply) {
+    const node x = g.nodes_[a], y = g.nodes_[b];
+    if (g.nodes_[x.a].op == operation::constant && g.nodes_[y.a].op == operation::constant) {
+      const int c = g.constant(g.number_at(x.a) * g.number_at(y.a));
+      return multiply(g, c, multiply(g, x.b, y.b));
+    }
   }
   return a < b ? g.find_or_append(operation::multiply, a, b) : g.find_or_append(operation::multiply, b, a);
 }

@@ -44,8 +44,9 @@ class expansion {
   }
 
 public:
-  constexpr expansion(graph& g, const sequence<int>& outputs)
-      : g_(g), live_(g, outputs), image_(g.size()), uses_of_(g.size()) {
+  /// `live` must outlive it.
+  constexpr expansion(graph& g, const live_list& live_nodes)
+      : g_(g), live_(live_nodes), image_(g.size()), uses_of_(g.size()) {
     const int* const live = live_.nodes.begin();
     const node* const nodes = g.begin();
     for (int i = live_.count - 1; i >= 0; --i)
@@ -169,7 +170,7 @@ private:
   }
 
   graph& g_;
-  live_list live_;
+  const live_list& live_;
   base::zeros<int> image_;
   base::zeros<int> uses_of_; ///< by node of the factorization
   sequence<solves_of_factors> uses_{};
@@ -196,13 +197,16 @@ constexpr bool has_linear_systems(const graph& g, const live_list& live) {
 }
 
 /// Rewrites the outputs so that systems of order 1 to 3 are solved by cofactors, with one determinant and its
-/// reciprocal for all right-hand sides. Larger systems are kept.
-constexpr sequence<int> expand_solves(graph& g, const sequence<int>& outputs) {
-  detail::expansion expanded(g, outputs);
+/// reciprocal for all right-hand sides. Larger systems are kept. `live` are the live nodes of the outputs.
+constexpr sequence<int> expand_solves(graph& g, const sequence<int>& outputs, const live_list& live) {
+  detail::expansion expanded(g, live);
   expanded.run();
   sequence<int> images;
   for (int id : outputs) images.push(expanded[id]);
   return images;
+}
+constexpr sequence<int> expand_solves(graph& g, const sequence<int>& outputs) {
+  return expand_solves(g, outputs, live_list(g, outputs));
 }
 
 } // namespace kanexpr::symbolic

@@ -36,8 +36,10 @@ class finiteness {
   }
 
 public:
-  constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
-      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), live_(g, outputs), facts_(g.size()),
+  /// `live` are the live nodes of the outputs. Both must outlive it.
+  constexpr finiteness(const graph& g, const sequence<int>& outputs, const live_list& live,
+                       const sequence<int>& sure_divisors)
+      : nodes_(g.begin()), size_(g.size()), g_(g), outputs_(outputs), live_(live), facts_(g.size()),
         facts_of_(facts_.begin()) {
     for (int id : sure_divisors) facts_of_[id] = sure;
     if (__builtin_is_constant_evaluated())
@@ -162,7 +164,7 @@ private:
   int size_;
   const graph& g_;
   const sequence<int>& outputs_;
-  live_list live_;
+  const live_list& live_;
   base::zeros<int> facts_; ///< by node
   int* facts_of_;
   bool any_originates_ = false, any_fails_ = false;
