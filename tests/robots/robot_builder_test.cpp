@@ -334,7 +334,10 @@ TEST(robot_builder, survives_broken_files) {
 
 TEST(robot_builder, says_what_is_wrong) {
   const read_robot still = read_urdf_text("<robot><link name='a'/></robot>");
-  EXPECT_EQ(robot_builder(still.robot).cause(), "no joint of the robot moves, and its base is fixed");
+  const char* const cause = "no joint of the robot moves, and its base is fixed";
+  EXPECT_EQ(robot_builder(still.robot).cause(), cause);
+  EXPECT_EQ(derive(robot_builder(still.robot)).mistake(), cause);
+  EXPECT_EQ(explain(robot_builder(still.robot)).mistake, cause);
   const read_robot light =
       read_urdf_text("<robot><link name='a'/><link name='b'/><joint name='j' type='revolute'>"
                      "<parent link='a'/><child link='b'/></joint></robot>");

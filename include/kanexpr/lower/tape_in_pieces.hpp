@@ -20,8 +20,8 @@ namespace kanexpr::lower {
 
 /// The lengths of tapes, in steps.
 struct lengths {
-  int longest_uncut = 30000; ///< of a tape that is expanded in one function
-  int piece = 1500;
+  int longest_uncut = 30000;       ///< of a tape that is expanded in one function
+  int piece = 1500;                ///< of a part of a longer tape
   int shortest_in_lockstep = 2000; ///< of a tape that is examined for equal branches
   int longest_at_calls = 2000;     ///< of a tape that is expanded at every call
 };
@@ -50,6 +50,7 @@ inline constexpr bool is_cut = solves_columns<Code> || is_long<Code>;
 /// The cuts of the tape of `Code` as arrays that outlive constant evaluation.
 template <class Code>
 class cuts_of {
+  static_assert(lengths_of<Code>.piece > 0, "a piece of a tape has at least one step");
   static constexpr const auto& tape = Code::tape;
   static constexpr std::size_t room(int n) { return static_cast<std::size_t>(n) + 1; }
 

@@ -333,7 +333,10 @@ inline robot_builder::robot_builder(robot r, const model_options& options)
     : builder("N"), robot_(std::move(r)), plan_(plan_of(robot_, options)) {
   frames_.resize(robot_.links.size() + 1);
   origins_.resize(robot_.links.size() + 1);
-  if (!plan_.mistake.empty()) return;
+  if (!plan_.mistake.empty()) {
+    report(plan_.mistake);
+    return;
+  }
   for (std::size_t l = 0; l < robot_.links.size(); ++l) index_by_name_.emplace(robot_.links[l].name, l);
   add_symbols();
   add_root();

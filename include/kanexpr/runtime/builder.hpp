@@ -99,6 +99,8 @@ public:
   using scalar_builder::dot, vector_builder::dot;
 
 protected:
+  /// Reports a mistake in what a derived class builds the system from.
+  void report(std::string_view mistake) { checks_.fail({mistake}); }
   /// Gives the unit of an expression that follows from its definition; the units of the system are not
   /// checked because of it.
   void imply_unit(expression e, const units::unit& u) { system_.mechanism.stated_units.push({e, u, true}); }
