@@ -1,0 +1,3 @@
+#include <linked_bicycle.hpp>
+
+#include "../engine/bicycle_all_uses.cpp"
