@@ -177,38 +177,38 @@ constexpr int multiply(graph& g, int a, int b) {
   if (a == graph::zero || b == graph::zero) return graph::zero;
   if (a == graph::one) return b;
   if (b == graph::one) return a;
-  operation of_a{}, of_b{};
+  operation left{}, right{};
   if (__builtin_is_constant_evaluated()) {
     const auto& nodes = g.block_->value;
-    of_a = nodes[a].op;
-    of_b = nodes[b].op;
+    left = nodes[a].op;
+    right = nodes[b].op;
   } else {
-    of_a = g.nodes_[a].op;
-    of_b = g.nodes_[b].op;
+    left = g.nodes_[a].op;
+    right = g.nodes_[b].op;
   }
-  if (of_a == operation::constant) {
+  if (left == operation::constant) {
     const number c = g.number_at(a);
-    if (of_b == operation::constant) return g.constant(c * g.number_at(b));
+    if (right == operation::constant) return g.constant(c * g.number_at(b));
     if (c.negative()) return negate(g, multiply(g, g.constant(-c), b));
-    if (of_b == operation::negate) return negate(g, multiply(g, a, g.nodes_[b].a));
-    if (of_b == operation::multiply) {
+    if (right == operation::negate) return negate(g, multiply(g, a, g.nodes_[b].a));
+    if (right == operation::multiply) {
       const node product = g.nodes_[b];
       if (g.nodes_[product.a].op == operation::constant)
         return multiply(g, g.constant(c * g.number_at(product.a)), product.b);
     }
     return g.find_or_append(operation::multiply, a, b);
   }
-  if (of_b == operation::constant) return multiply(g, b, a);
-  if (of_a == operation::negate) {
+  if (right == operation::constant) return multiply(g, b, a);
+  if (left == operation::negate) {
     const int opposite = g.nodes_[a].a;
-    return of_b == operation::negate ? multiply(g, opposite, g.nodes_[b].a)
-                                     : negate(g, multiply(g, opposite, b));
+    return right == operation::negate ? multiply(g, opposite, g.nodes_[b].a)
+                                      : negate(g, multiply(g, opposite, b));
   }
-  if (of_b == operation::negate) return negate(g, multiply(g, a, g.nodes_[b].a));
-  if (of_a == operation::sqrt && a == b) return g.nodes_[a].a;
-  if (of_a == operation::divide && g.nodes_[a].b == b) return g.nodes_[a].a;
-  if (of_b == operation::divide && g.nodes_[b].b == a) return g.nodes_[b].a;
-  if (of_a == operation::multiply && of_b == operation::multiply) {
+  if (right == operation::negate) return negate(g, multiply(g, a, g.nodes_[b].a));
+  if (left == operation::sqrt && a == b) return g.nodes_[a].a;
+  if (left == operation::divide && g.nodes_[a].b == b) return g.nodes_[a].a;
+  if (right == operation::divide && g.nodes_[b].b == a) return g.nodes_[b].a;
+  if (left == operation::multiply && right == operation::multiply) {
     const node x = g.nodes_[a], y = g.nodes_[b];
     if (g.nodes_[x.a].op == operation::constant && g.nodes_[y.a].op == operation::constant) {
       const int c = g.constant(g.number_at(x.a) * g.number_at(y.a));
