@@ -17,11 +17,11 @@ function(kanexpr_add_engine name)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# kanexpr_add_engine_of(<part> <what> [FOLDER <folder>] [USES <other part>]): the engine of a part with additional dependencies,
-# kanexpr::<part>_engine, which may use the engine of another part. Its sources are in the folder named after the part, or in
-# <folder>.
+# kanexpr_add_engine_of(<part> <what> [FOLDER <folder>] [USES <other part>] [ONLY_WITH <file>]): the engine of a part with additional
+# dependencies, kanexpr::<part>_engine, which may use the engine of another part. Its sources are in the folder named after the part,
+# or in <folder>. ONLY_WITH is passed to kanexpr_pkgconfig.
 function(kanexpr_add_engine_of part what)
-  cmake_parse_arguments(PARSE_ARGV 2 engine "" "FOLDER;USES" "")
+  cmake_parse_arguments(PARSE_ARGV 2 engine "" "FOLDER;USES;ONLY_WITH" "")
   set(name kanexpr_${part}_engine)
   set(folder ${part})
   if(engine_FOLDER)
@@ -44,7 +44,7 @@ function(kanexpr_add_engine_of part what)
     install(TARGETS ${name} EXPORT kanexpr-${part}_engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT kanexpr-${part}_engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
     kanexpr_pkgconfig(${part}_engine "kanexpr-${part} with the parts that do not depend on the model as a library"
-      REQUIRES ${packages} CFLAGS -DKANEXPR_COMPILED_${what} LIBS -L\${libdir} -l${name})
+      REQUIRES ${packages} CFLAGS -DKANEXPR_COMPILED_${what} LIBS -L\${libdir} -l${name} ONLY_WITH "${engine_ONLY_WITH}")
   else()
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()

@@ -19,6 +19,8 @@ else()
   target_link_libraries(kanexpr_flexible_modes INTERFACE kanexpr_flexible nlohmann_json::nlohmann_json)
   install(TARGETS kanexpr_flexible_modes EXPORT kanexpr-flexible_modes-targets)
   install(EXPORT kanexpr-flexible_modes-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+  kanexpr_pkgconfig(flexible_modes "Flexible bodies from modes in JSON files" REQUIRES kanexpr-flexible nlohmann_json
+    CFLAGS -DKANEXPR_FLEXIBLE_READ_MODES)
 endif()
 
 find_package(CLI11 QUIET)

@@ -55,7 +55,7 @@ install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
 install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 kanexpr_pkgconfig(animate "Animated pages of kanexpr's models; page_options::empty_page is share/kanexpr/kanexpr.html"
   REQUIRES kanexpr nlohmann_json ONLY_WITH ${KANEXPR_PAGE})
-kanexpr_add_engine_of(animate PAGES)
+kanexpr_add_engine_of(animate PAGES ONLY_WITH ${KANEXPR_PAGE})
 
 # The installed package omits the target if the page is missing.
 cmake_path(GET kanexpr_page PARENT_PATH kanexpr_page_dir)
