@@ -75,7 +75,7 @@ void regressor_line(const char* system) {
 } // namespace
 
 int main() {
-  std::puts("system\tfunction\tmul\tadd\tdiv\ttrig\tnodes");
+  std::puts("system\tfunction\tmul\tadd\tdiv\tsincos\tnodes");
   lines<simple_pendulum::System>("simple_pendulum");
   lines<double_pendulum::System>("double_pendulum");
   lines<n_pendulum_cart::System<5>>("n_pendulum_cart");
