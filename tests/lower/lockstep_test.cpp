@@ -22,12 +22,14 @@ constexpr int base = 3, in_branch = 2, columns = 4;
 /// A tree on a base of three unknowns, with branches of two unknowns each; the last branches have one unknown
 /// less if they are `stunted`. The entries are those of no mechanism, but have its structure: each branch
 /// depends on its own coordinates and speeds, half of the branches are mirrored, and the right-hand sides of
-/// some columns depend on the unknowns of another system, as derivatives of u̇ depend on u̇.
+/// some columns depend on the unknowns of another system, as derivatives of u̇ depend on u̇. If it is `beside`
+/// another system, that one has fewer unknowns.
 class tree {
 public:
-  constexpr tree(int branches, int stunted)
-      : branches_(branches), stunted_(stunted), order_(base + in_branch * branches - stunted),
-        m_(g_, order_, order_), right_(g_, order_, columns), x_(g_, order_, columns) {}
+  constexpr tree(int branches, int stunted, bool beside)
+      : branches_(branches), stunted_(stunted), is_beside_(beside),
+        order_(base + in_branch * branches - stunted), m_(g_, order_, order_), right_(g_, order_, columns),
+        x_(g_, order_, columns) {}
 
   constexpr lower::tape run() {
     base_speed_ = argument(symbol_kind::speed, 0);
@@ -43,6 +45,7 @@ public:
     base::sequence<expression> results;
     for (const expression& e : x_.entries) results.push(e);
     for (const expression& e : kept_) results.push(e);
+    if (is_beside_) solve_another(all, results);
     base::sequence<int> nodes;
     for (const expression& e : results) nodes.push(e.node());
     return lower::tape_of(g_, nodes);
@@ -54,6 +57,15 @@ private:
     base::name called(kind == symbol_kind::coordinate ? "q" : kind == symbol_kind::speed ? "u" : "r");
     called.append(position);
     return variable(g_, {kind, called, position});
+  }
+
+  constexpr void solve_another(const base::sequence<int>& all, base::sequence<expression>& results) {
+    symbolic::matrix m(g_, 2, 2), right(g_, 2, columns), x(g_, 2, columns);
+    m(0, 0) = kept_[0] * kept_[0] + number(4), m(1, 1) = number(3), m(0, 1) = m(1, 0) = number(1);
+    for (int i = 0; i < 2; ++i)
+      for (int c = 0; c < columns; ++c) right(i, c) = kept_[i] * number(c + 1);
+    symbolic::symmetric_factorization(g_, m).solve_together(right, all, x);
+    for (const expression& e : x.entries) results.push(e);
   }
 
   constexpr void add_branch(int k) {
@@ -86,21 +98,23 @@ private:
   }
 
   symbolic::graph g_{};
-  int branches_, stunted_, order_;
+  int branches_, stunted_;
+  bool is_beside_;
+  int order_;
   symbolic::matrix m_, right_, x_;
   expression base_speed_{};
   base::sequence<expression> kept_{};
 };
 
-constexpr lower::tape tape_of_tree(int branches, int stunted) {
-  tree t(branches, stunted);
+constexpr lower::tape tape_of_tree(int branches, int stunted, bool beside) {
+  tree t(branches, stunted, beside);
   return t.run();
 }
 
-template <int branches, int stunted>
+template <int branches, int stunted, bool beside = false>
 struct code {
 private:
-  static constexpr lower::roomy_tape roomy = lower::fixed(tape_of_tree(branches, stunted));
+  static constexpr lower::roomy_tape roomy = lower::fixed(tape_of_tree(branches, stunted, beside));
 
 public:
   static constexpr auto tape = lower::trimmed<roomy.sizes>(roomy);
@@ -108,8 +122,9 @@ public:
 
 } // namespace
 
-template <int branches, int stunted>
-inline constexpr kanexpr::lower::lengths kanexpr::lower::lengths_of<code<branches, stunted>>{30000, 1500, 0};
+template <int branches, int stunted, bool beside>
+inline constexpr kanexpr::lower::lengths kanexpr::lower::lengths_of<code<branches, stunted, beside>>{30000,
+                                                                                                     1500, 0};
 
 namespace {
 
@@ -169,6 +184,7 @@ using plan_of_four = lower::lockstep_plan<Code, lower::cuts_of<Code>, 4>;
 TEST(Lockstep, has_the_values_of_steps_one_by_one) {
   check_values<code<4, 0>>();
   check_values<code<3, 1>>();
+  check_values<code<4, 0, true>>();
 }
 
 TEST(Lockstep, takes_as_many_branches_as_there_are_lanes) {

@@ -106,7 +106,8 @@ private:
                   recipe::entries_of(speeds, d), conditioning * (1 + speeds.norm()));
   }
 
-  static constexpr double most_conditioning = 1e5;
+  /// Reduced mass matrices lose its square in relative accuracy; beyond, the status may call them singular.
+  static constexpr double most_conditioning = 2e4;
 
   dice d_;
   recipe::constrained expected_;

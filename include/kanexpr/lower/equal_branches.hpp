@@ -33,7 +33,8 @@ public:
 
   constexpr equal_branches run() {
     for (const linear_step& e : tape_.linear_steps)
-      if (e.op == operation::symmetric_solve) systems_.push(e);
+      if (e.op == operation::symmetric_solve && (systems_.empty() || e.order == systems_[0].order))
+        systems_.push(e);
     if (systems_.empty()) return {};
     order_ = systems_[0].order;
     find_tree();
@@ -175,7 +176,7 @@ private:
 
   const tape_view& tape_;
   int most_lanes_;
-  sequence<linear_step> systems_{};
+  sequence<linear_step> systems_{}; ///< those with a mass matrix of the order of the first one
   int order_ = 0;
   sequence<int> parent_{}; ///< of each unknown
   sequence<std::uint64_t> shape_{};

@@ -53,6 +53,13 @@ TEST_F(finiteness_of, sums_products_and_most_functions_is_not_watched) {
     EXPECT_TRUE(may_fail(e));
 }
 
+TEST_F(finiteness_of, numbers_fails_if_a_reciprocal_overflows) {
+  EXPECT_FALSE(may_fail(x / 1e-300));
+  EXPECT_FALSE(may_fail(sin(x) * 1e-309));
+  EXPECT_TRUE(may_fail(x / 1e-309));
+  EXPECT_TRUE(may_fail(y + z * sin(x / 1e-309)));
+}
+
 TEST_F(finiteness_of, outputs_is_told_by_what_is_made_of_them) {
   const expression q = x / y;
   EXPECT_EQ(watched({q, z * q + 1, z}), (places{1}));

@@ -113,7 +113,11 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
   const bool are_named = !places.empty() && places.size() <= most_names;
   const expression sum{g, symbolic::unsimplified_sum(g, watched)};
   return {{sum.node(), sum, sum,
-           sentence({results_not_finite, are_named ? ", and check the quotients and functions of " : "",
+           sentence({results_not_finite,
+                     found.has_infinite_number()
+                         ? ", and for numbers of the system that are too small or too large"
+                         : "",
+                     are_named ? ", and check the quotients and functions of " : "",
                      are_named ? enumerated(m, suspects, places).view() : ""}),
            true}};
 }

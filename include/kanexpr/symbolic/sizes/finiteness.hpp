@@ -97,6 +97,9 @@ public:
     return symbols;
   }
 
+  /// Whether the outputs contain a number that is not finite, such as the reciprocal of a tiny mass.
+  constexpr bool has_infinite_number() const { return has_infinite_number_; }
+
 private:
   /// Properties of a live node, as bits.
   enum fact : int { sure = 1, never_negative = 2, originates = 4, may_fail = 8 };
@@ -107,7 +110,11 @@ private:
     int found = (a | b) & may_fail;
     switch (form_of(n.op)) {
     case form::leaf:
-      if (g_.is_constant(id) && !g_.number_at(id).negative()) facts_of_[id] |= never_negative;
+      if (!g_.is_constant(id)) return;
+      if (!is_finite(g_.number_at(id)))
+        facts_of_[id] |= may_fail, any_fails_ = has_infinite_number_ = true;
+      else if (!g_.number_at(id).negative())
+        facts_of_[id] |= never_negative;
       return;
     case form::divide:
       if (!g_.is_constant(n.b) && (b & sure) == 0) found |= originates;
@@ -167,7 +174,7 @@ private:
   const live_list& live_;
   base::zeros<int> facts_; ///< by node
   int* facts_of_;
-  bool any_originates_ = false, any_fails_ = false;
+  bool any_originates_ = false, any_fails_ = false, has_infinite_number_ = false;
 };
 
 /// A sum built without simplification, so that no terms cancel.
