@@ -106,7 +106,8 @@ private:
                   recipe::entries_of(speeds, d), conditioning * (1 + speeds.norm()));
   }
 
-  /// Reduced mass matrices lose its square in relative accuracy; beyond, the status may call them singular.
+  /// The reduced mass matrix is conditioned like its square; beyond this limit, the status may call it
+  /// singular.
   static constexpr double most_conditioning = 2e4;
 
   dice d_;

@@ -53,8 +53,8 @@ public:
   long hostile_visited = 0, hostile_refused = 0;
 
 private:
+  using real = long double;
   static constexpr double finer = 500; ///< a quarter of the ratio of rounding errors in double and in `real`
-  using real = long double;            ///< in which rounding hides no error of a derivative
   using complex = std::complex<real>;
   using expression = kanexpr::symbolic::expression;
   using quantity = kanexpr::mechanics::quantity;
@@ -98,9 +98,9 @@ private:
       found.compare("energy", gain, zero, scale);
   }
 
-  // The derivatives against complex steps in long double. In double, they may differ from those as much as
-  // complex steps in double do: near singular states, the rates themselves lose digits; in long double, they
-  // lose as many of more digits.
+  // The derivatives against complex steps in long double. Near singular states, the rates themselves lose
+  // digits: in double, derivatives may differ as much as complex steps in double do, and in long double by as
+  // many times less as it is finer.
   void differentiate(errors& found) {
     const Eigen::Index n = x_.size();
     const Eigen::VectorXd weights = Eigen::VectorXd::NullaryExpr(n, [&] { return d_.between(-1, 1); });
